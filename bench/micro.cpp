@@ -1,0 +1,71 @@
+// Costs of the steps of a sample's and a frame's way, one by one.
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "common/body/Posture.h"
+#include "common/motion/SampleGate.h"
+#include "common/wire/DatagramCodec.h"
+#include "common/world/Scene.h"
+
+namespace {
+
+using namespace coherency;
+
+MotionSample neutralSample() {
+  SampleGate gate(neutralPosture(Rig{}));
+  MasterReading reading;
+  reading.si = neutralPosture(Rig{});
+  return gate.admit(reading, 1, 1);
+}
+
+void gate(benchmark::State& state) {
+  SampleGate gate(neutralPosture(Rig{}));
+  MasterReading reading;
+  reading.si = neutralPosture(Rig{});
+  std::uint64_t sequence = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(gate.admit(reading, ++sequence, 1));
+}
+BENCHMARK(gate);
+
+void stepWorld(benchmark::State& state) {
+  WorldState world;
+  const MotionSample sample = neutralSample();
+  for (auto _ : state) step(world, sample, 1'000'000, DriveLimits{}, DriveArea{});
+  benchmark::DoNotOptimize(world);
+}
+BENCHMARK(stepWorld);
+
+void hash(benchmark::State& state) {
+  const WorldState world;
+  const MotionSample sample = neutralSample();
+  for (auto _ : state) benchmark::DoNotOptimize(stateHash(world, sample));
+}
+BENCHMARK(hash);
+
+void bodyPosture(benchmark::State& state) {
+  const Rig rig;
+  const ArmKinematics arm(rig);
+  const MotionSample sample = neutralSample();
+  for (auto _ : state) benchmark::DoNotOptimize(posture(rig, arm, sample));
+}
+BENCHMARK(bodyPosture);
+
+void applyToScene(benchmark::State& state) {
+  const auto scene = makeScene("laboratory", Rig{});
+  const MotionSample sample = neutralSample();
+  for (auto _ : state) scene->apply(WorldState{}, sample);
+}
+BENCHMARK(applyToScene);
+
+void inverseKinematics(benchmark::State& state) {
+  const ArmKinematics arm{Rig{}};
+  const ArmJoints seed = armJoints(neutralSample());
+  const Coord3 palm = arm.pose(seed).palm + Coord3{0.1, 0.1, -0.1};
+  for (auto _ : state) benchmark::DoNotOptimize(arm.solve(palm, nullptr, seed));
+}
+BENCHMARK(inverseKinematics);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "common/body/Loft.h"
+#include "common/body/Rig.h"
+#include "common/scene/Primitives.h"
+
+namespace coherency {
+
+/// Head and neck in the head frame, seen from outside. The eye points of the rig lie inside the convex skull,
+/// and faces are seen from outside only: the operator's own eyes see through the head as if it were not
+/// there, everybody else, lamps included, sees it.
+class HeadShape : public VRObject {
+ public:
+  explicit HeadShape(const Rig& rig);
+
+ private:
+  void buildSkull(const Rig& rig);
+  void buildFace(const Rig& rig);
+  void buildEye(std::size_t i, const Coord3& at);
+
+  Loft skull_;
+  Loft hair_;
+  Loft neck_;
+  Ellipsoid nose_;
+  Ellipsoid mouth_;
+  std::array<Ellipsoid, 2> ears_;
+  std::array<Ellipsoid, 2> eyeballs_;
+  std::array<Ellipsoid, 2> irises_;
+  std::array<Ellipsoid, 2> brows_;
+};
+
+}  // namespace coherency

@@ -1,0 +1,20 @@
+#include "common/config/RigFile.h"
+
+#include <filesystem>
+
+#include "common/config/TomlTable.h"
+
+namespace coherency {
+
+Rig readRig(const std::string& path) {
+  const toml::table root = parseTomlFile(path);
+  TomlTable table(&root, path, "");
+  Rig rig;
+  rig.name = table.text("name", std::filesystem::path(path).stem().string());
+  for (const RigField& field : rigFields())
+    rig.*field.value = table.number(field.name, rig.*field.value, field.min, field.max);
+  table.finish();
+  return rig;
+}
+
+}  // namespace coherency

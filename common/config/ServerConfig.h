@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "common/body/Rig.h"
+
+namespace coherency {
+
+/// Everything a motion server needs to know (configs/servers/).
+struct ServerConfig {
+  std::string scene = "laboratory";
+  Rig rig;
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 7430;
+  int redundancy = 2;     ///< earlier samples in each packet, 0..8
+  int max_clients = 64;
+  double rate_hz = 1000.0;
+  std::string master = "simulated";  ///< simulated or replay
+  std::uint64_t seed = 1;            ///< of the simulated operator
+  std::string recording;             ///< CSV, for replay
+  bool loop = true;
+  bool seated = true;  ///< recorded head moved to the rig's sitting height; false: as recorded
+};
+
+/// Paths in the file are relative to the file. Throws ConfigError.
+ServerConfig readServerConfig(const std::string& path);
+
+}  // namespace coherency

@@ -1,0 +1,81 @@
+#include "common/math/Coord3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace coherency {
+
+Coord3& Coord3::operator+=(const Coord3& b) {
+  x += b.x;
+  y += b.y;
+  z += b.z;
+  return *this;
+}
+
+Coord3& Coord3::operator-=(const Coord3& b) {
+  x -= b.x;
+  y -= b.y;
+  z -= b.z;
+  return *this;
+}
+
+Coord3& Coord3::operator*=(double s) {
+  x *= s;
+  y *= s;
+  z *= s;
+  return *this;
+}
+
+Coord3& Coord3::operator/=(double s) {
+  if (s == 0.0) throw std::domain_error("Coord3: division by zero");
+  x /= s;
+  y /= s;
+  z /= s;
+  return *this;
+}
+
+Coord3 operator+(Coord3 a, const Coord3& b) {
+  return a += b;
+}
+Coord3 operator-(Coord3 a, const Coord3& b) {
+  return a -= b;
+}
+Coord3 operator-(const Coord3& a) {
+  return {-a.x, -a.y, -a.z};
+}
+Coord3 operator*(Coord3 a, double s) {
+  return a *= s;
+}
+Coord3 operator*(double s, Coord3 a) {
+  return a *= s;
+}
+Coord3 operator/(Coord3 a, double s) {
+  return a /= s;
+}
+
+double dot(const Coord3& a, const Coord3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+Coord3 cross(const Coord3& a, const Coord3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+double norm(const Coord3& a) {
+  return std::hypot(std::hypot(a.x, a.y), a.z);
+}
+
+Coord3 normalized(const Coord3& a) {
+  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+  if (!isFinite(a) || largest == 0.0)
+    throw std::domain_error("normalized: a vector that is zero or not finite has no direction");
+  const Coord3 scaled = a / largest;  // the length of `a` itself might overflow or lose digits
+  return scaled / norm(scaled);
+}
+
+bool isFinite(const Coord3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+}  // namespace coherency

@@ -1,0 +1,94 @@
+#include "common/scene/VRObject.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "common/scene/FaceSet.h"
+
+namespace coherency {
+namespace {
+
+/// T_object_world of what carries `object`; says whose ancestors were at fault.
+TransformMatrix inverseOfParent(const VRObject& object) {
+  if (object.parent() == nullptr) return {};
+  try {
+    return object.parent()->globalTransform().inverse();
+  } catch (const std::domain_error& error) {
+    throw std::domain_error("VRObject '" + object.path() +
+                            "': no local transform gives the global one asked for, as the parent's cannot be "
+                            "inverted: " +
+                            error.what());
+  }
+}
+
+}  // namespace
+
+VRObject::~VRObject() {
+  for (VRObject* member : members_) member->parent_ = nullptr;
+  if (parent_ != nullptr) parent_->removeMember(this);
+}
+
+void VRObject::addMember(VRObject* member) {
+  const auto refuse = [this](const std::string& why) {
+    throw std::invalid_argument("VRObject '" + path() + "': " + why);
+  };
+  if (member == nullptr) refuse("addMember was given a null pointer");
+  if (member->parent_ != nullptr)
+    refuse("'" + member->name() + "' is already a member of '" + member->parent_->path() +
+           "'; remove it there first");
+  for (const VRObject* above = this; above != nullptr; above = above->parent_)
+    if (above == member) refuse("adding '" + member->name() + "' would make it a part of itself (a cycle)");
+  members_.push_back(member);
+  member->parent_ = this;
+}
+
+void VRObject::removeMember(VRObject* member) {
+  // From the back, as data members die in reverse order of their construction.
+  const auto found = std::find(members_.rbegin(), members_.rend(), member);
+  if (member == nullptr || found == members_.rend())
+    throw std::invalid_argument(
+        "VRObject '" + path() + "': removeMember was given " +
+        (member == nullptr ? "a null pointer" : "'" + member->name() + "', which is not its member"));
+  members_.erase(std::next(found).base());
+  member->parent_ = nullptr;
+}
+
+std::string VRObject::path() const {
+  std::vector<const VRObject*> upwards;
+  for (const VRObject* object = this; object != nullptr; object = object->parent_) upwards.push_back(object);
+  std::reverse(upwards.begin(), upwards.end());
+  std::string text;
+  for (const VRObject* object : upwards) {
+    if (!text.empty()) text += '/';
+    text += object->name_.empty() ? "?" : object->name_;
+  }
+  return text;
+}
+
+TransformMatrix VRObject::globalTransform() const {
+  TransformMatrix t = transform();
+  for (const VRObject* above = parent_; above != nullptr; above = above->parent_) t = above->transform() * t;
+  return t;
+}
+
+void VRObject::setGlobalTransform(const TransformMatrix& t_world_this) {
+  setTransform(inverseOfParent(*this) * t_world_this);
+}
+
+void VRObject::setGlobalPosition(const Coord3& position) {
+  setPosition(inverseOfParent(*this).point(position));
+}
+
+void VRObject::setGlobalOrientation(const TransformMatrix& linear) {
+  setOrientation(inverseOfParent(*this).linear() * linear.linear());
+}
+
+std::size_t VRObject::polygonCount() const {
+  std::size_t count = 0;
+  forEachObject(*this, {}, [&count](const VRObject& object, const TransformMatrix&) {
+    if (object.faces() != nullptr) count += object.faces()->faces.size();
+  });
+  return count;
+}
+
+}  // namespace coherency

@@ -1,0 +1,140 @@
+#include "common/wire/Validity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace coherency {
+namespace {
+
+bool isTime(std::int64_t ns) {
+  return ns >= 0 && ns <= kMaxTimeNs;
+}
+bool isCoordinate(std::int64_t nm) {
+  return nm >= -kMaxBaseNm && nm <= kMaxBaseNm;
+}
+bool isPrintable(char c) {
+  return c >= 0x20 && c <= 0x7e;
+}
+
+/// A DOF's range in its integer unit. Rounding may step over the border by half a unit, hence one more.
+struct UnitRange {
+  std::int64_t min;
+  std::uint64_t width;
+  bool wraps;  ///< whole turns drop out of an angle, so that its range may reach beyond half a turn
+
+  bool contains(std::int32_t units) const {
+    const auto above = static_cast<std::uint64_t>(units - min);
+    return (wraps ? above & 0xffffffffU : above) <= width;
+  }
+};
+
+UnitRange unitRange(const DofInfo& dof) {
+  const double unit = resolution(dof.kind);
+  const auto min = static_cast<std::int64_t>(std::floor(dof.min / unit)) - 1;
+  const auto max = static_cast<std::int64_t>(std::ceil(dof.max / unit)) + 1;
+  return {min, static_cast<std::uint64_t>(max - min), dof.kind == DofKind::Angle};
+}
+
+const std::array<UnitRange, kDofCount>& unitRanges() {
+  static const auto ranges = [] {
+    std::array<UnitRange, kDofCount> table{};
+    std::transform(dofTable().begin(), dofTable().end(), table.begin(), unitRange);
+    return table;
+  }();
+  return ranges;
+}
+
+bool isEye(std::string_view eye) {
+  return eye == "left" || eye == "right" || eye == "both" || eye == "mono";
+}
+
+bool isRig(const Rig& rig) {
+  if (!isPlainText(rig.name)) return false;
+  try {
+    validate(rig);
+  } catch (const std::domain_error&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool isValid(const MotionSample& sample) {
+  if (sample.sequence == 0 || (sample.valid & ~kAllDofs) != 0 || !isTime(sample.server_time_ns)) return false;
+  const auto& ranges = unitRanges();
+  for (std::size_t i = 0; i < kDofCount; ++i) {
+    if (sample.isValid(dofAt(i)) && !ranges[i].contains(sample.units[i])) return false;
+  }
+  return true;
+}
+
+bool isValid(const WorldState& world) {
+  return isCoordinate(world.base.x_nm) && isCoordinate(world.base.y_nm) && isCoordinate(world.base.z_nm);
+}
+
+bool isValid(const MotionPacket& packet) {
+  if (packet.session_id == 0 || packet.previous.size() > kMaxPrevious) return false;
+  if (!isValid(packet.sample) || !isValid(packet.world)) return false;
+  std::uint64_t later = packet.sample.sequence;
+  for (const MotionSample& sample : packet.previous) {
+    if (sample.sequence >= later || !isValid(sample)) return false;
+    later = sample.sequence;
+  }
+  return true;
+}
+
+bool isValid(const ClockProbe& probe) {
+  return probe.session_id != 0 && probe.client_id != 0 && isTime(probe.t0_client_ns);
+}
+
+bool isValid(const ClockReply& reply) {
+  return reply.session_id != 0 && isTime(reply.t0_client_ns) && isTime(reply.t1_server_ns) &&
+         isTime(reply.t2_server_ns) && reply.t1_server_ns <= reply.t2_server_ns;
+}
+
+bool isValid(const Hello& hello) {
+  return hello.major != kWireMajor || (isEye(hello.eye) && isPlainText(hello.software));
+}
+
+bool isValid(const SessionConfig& session) {
+  return session.session_id != 0 && session.client_id != 0 && session.udp_port != 0 &&
+         session.period_ns >= kMinPeriodNs && session.period_ns <= kMaxPeriodNs &&
+         isSceneName(session.scene) && isRig(session.rig);
+}
+
+bool isValid(const ClientReport& report) {
+  return report.frames.size() <= kMaxReportFrames &&
+         std::all_of(report.frames.begin(), report.frames.end(), [](const FrameReport& frame) {
+           return frame.sequence != 0 && isTime(frame.presented_server_ns);
+         });
+}
+
+bool isValid(const Goodbye& goodbye) {
+  return isPlainText(goodbye.reason) && goodbye.cause <= GoodbyeCause::Protocol;
+}
+
+bool isSceneName(std::string_view name) {
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.:";
+  return !name.empty() && name.size() <= kMaxText &&
+         name.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+bool isPlainText(std::string_view text) {
+  return text.size() <= kMaxText && std::all_of(text.begin(), text.end(), isPrintable);
+}
+
+std::string plainText(std::string_view text) {
+  std::string plain(text.substr(0, kMaxText));
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return !isPrintable(c); }, '?');
+  return plain;
+}
+
+bool hashHolds(const MotionPacket& packet) {
+  return packet.hash == stateHash(packet.world, packet.sample);
+}
+
+}  // namespace coherency

@@ -1,0 +1,117 @@
+#include "motion_server/MotionServer.h"
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "common/sync/StopSignal.h"
+#include "motion_server/device/ReplayMaster.h"
+#include "motion_server/device/SimulatedMaster.h"
+
+namespace coherency {
+namespace {
+
+std::int64_t periodNs(const ServerConfig& config) { return std::llround(1e9 / config.rate_hz); }
+
+std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scene) {
+  if (config.master == "replay") {
+    const ReplayOptions how{config.loop, config.seated ? HeadHeight::Seated : HeadHeight::Recorded};
+    return std::make_unique<ReplayMaster>(readRecording(config.recording), config.rig, how);
+  }
+  return std::make_unique<SimulatedMaster>(
+      SimulatedMaster::Task{scene.targets(), scene.workplace(), scene.start()}, config.rig, config.seed);
+}
+
+AuthorityConfig authorityConfig(const ServerConfig& config, const Scene& scene) {
+  AuthorityConfig result;
+  result.start = scene.start();
+  result.area = scene.driveArea();
+  result.period_ns = periodNs(config);
+  return result;
+}
+
+BroadcastConfig broadcastConfig(const ServerConfig& config) {
+  BroadcastConfig result;
+  result.address = config.address;
+  result.port = config.port;
+  result.redundancy = config.redundancy;
+  result.max_clients = config.max_clients;
+  return result;
+}
+
+SessionConfig sessionConfig(const ServerConfig& config) {
+  SessionConfig result;
+  result.scene = config.scene;
+  result.rig = config.rig;
+  result.period_ns = periodNs(config);
+  return result;
+}
+
+Spread spreadUs(const DurationHistogram& durations, double minus_us = 0.0) {
+  const auto us = [&](std::int64_t ns) { return static_cast<double>(ns) / 1e3 - minus_us; };
+  return {us(durations.quantile(0.5)), us(durations.quantile(0.99)), us(durations.max())};
+}
+
+}  // namespace
+
+MotionServer::MotionServer(const ServerOptions& options, const Clock& clock)
+    : options_(options),
+      clock_(clock),
+      scene_(makeScene(options.config.scene, options.config.rig)),
+      master_(makeMaster(options.config, *scene_)),
+      authority_(authorityConfig(options.config, *scene_), options.config.rig, *master_),
+      broadcaster_(broadcastConfig(options.config), sessionConfig(options.config), clock) {}
+
+void MotionServer::run(const std::function<void(const ServerStats&)>& onStatus) {
+  catchStopSignals();
+  sampling_ = std::make_unique<SamplingThread>(periodNs(options_.config),
+                                               [this](const SamplingTick& tick) { return sample(tick); });
+  const std::int64_t started_ns = clock_.nowNs();
+  const auto due = [&] {
+    const auto limit = options_.duration_s * 1e9;
+    return limit > 0.0 && static_cast<double>(clock_.nowNs() - started_ns) >= limit;
+  };
+  std::int64_t last_status_ns = started_ns;
+  while (sampling_->running() && !stopRequested() && !due()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    if (clock_.nowNs() - last_status_ns < 500'000'000) continue;
+    last_status_ns = clock_.nowNs();
+    onStatus(stats());
+  }
+  sampling_->stop();
+  sampling_->join();
+}
+
+bool MotionServer::sample(const SamplingTick& tick) {
+  const auto result = authority_.sample(tick.elapsed_ns, tick.now_ns, tick.ticks_elapsed);
+  if (!result) return false;
+  broadcaster_.publish(result->world, result->sample);
+  const std::scoped_lock lock(mutex_);
+  ++samples_;
+  elapsed_ns_ = tick.elapsed_ns;
+  refused_ = authority_.refused();
+  return true;
+}
+
+ServerStats MotionServer::stats() const {
+  ServerStats stats;
+  stats.master = master_->name();
+  stats.scene = options_.config.scene;
+  stats.nominal_rate_hz = 1e9 / static_cast<double>(periodNs(options_.config));
+  stats.clients = broadcaster_.clients();
+  stats.rejected = broadcaster_.rejected();
+  stats.stereo = broadcaster_.stereo();
+  if (sampling_) {
+    stats.missed = sampling_->jitter().missed.load();
+    stats.period_jitter_us = spreadUs(sampling_->jitter().deviation);
+    stats.lateness_us = spreadUs(sampling_->jitter().lateness);
+    stats.real_time = sampling_->realTime();
+  }
+  const std::scoped_lock lock(mutex_);
+  stats.samples = samples_;
+  stats.duration_s = static_cast<double>(elapsed_ns_) / 1e9;
+  stats.refused = refused_;
+  return stats;
+}
+
+}  // namespace coherency

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "common/sync/Clock.h"
+#include "common/world/Scene.h"
+#include "motion_server/Options.h"
+#include "motion_server/StatsReport.h"
+#include "motion_server/authority/Authority.h"
+#include "motion_server/broadcast/Broadcaster.h"
+#include "motion_server/device/Master.h"
+#include "motion_server/sampling/SamplingThread.h"
+
+namespace coherency {
+
+/// A motion server as a whole: device -> sampling -> authority -> broadcast, once a sampling period.
+class MotionServer {
+ public:
+  /// Opens the master and the ports. Throws std::runtime_error or std::invalid_argument with place and remedy.
+  MotionServer(const ServerOptions& options, const Clock& clock);
+
+  std::uint16_t port() const { return broadcaster_.port(); }
+  /// Serves until Ctrl-C, the end of the duration or of the recording. `onStatus` is called twice a second.
+  void run(const std::function<void(const ServerStats&)>& onStatus);
+  ServerStats stats() const;
+
+ private:
+  bool sample(const SamplingTick& tick);
+
+  ServerOptions options_;
+  const Clock& clock_;
+  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<Master> master_;
+  Authority authority_;
+  Broadcaster broadcaster_;
+  std::unique_ptr<SamplingThread> sampling_;
+  mutable std::mutex mutex_;  ///< over what the sampling thread leaves for stats()
+  std::uint64_t samples_ = 0;
+  std::int64_t elapsed_ns_ = 0;
+  std::array<std::uint64_t, kDofCount> refused_{};
+};
+
+}  // namespace coherency

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "common/config/ServerConfig.h"
+
+namespace coherency {
+
+/// The command line over the configuration file.
+struct ServerOptions {
+  ServerConfig config;
+  double duration_s = 0.0;  ///< 0: until a signal
+  std::string stats_json;   ///< empty: none
+  bool list_devices = false;
+};
+
+/// Parses arguments and reads the configuration they name. `exit_code` is set where the program should end at once:
+/// 0 after --help or --version, 2 for anything wrong, which has then been said on stderr.
+ServerOptions parseServerOptions(int argc, char** argv, int& exit_code);
+
+}  // namespace coherency

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "motion_server/broadcast/Broadcaster.h"
+
+namespace coherency {
+
+struct Spread {
+  double p50 = 0.0;
+  double p99 = 0.0;
+  double max = 0.0;
+};
+
+/// What a server knows of its own run.
+struct ServerStats {
+  std::string master;
+  std::string scene;
+  double nominal_rate_hz = 0.0;
+  double duration_s = 0.0;
+  std::uint64_t samples = 0;
+  std::uint64_t missed = 0;      ///< sampling periods that passed without a sample
+  bool real_time = false;        ///< the sampling thread has real-time scheduling
+  Spread period_jitter_us;       ///< how far the time between two samples was off the period
+  Spread lateness_us;            ///< of a sample after its moment on the schedule
+  std::array<std::uint64_t, kDofCount> refused{};  ///< values the master gave that were out of range, by DOF
+  std::vector<ClientStatus> clients;
+  RejectCounts rejected;
+  StereoStatus stereo;
+};
+
+/// One line for a terminal.
+std::string statusLine(const ServerStats& stats);
+/// Writes a whole new file and puts it in place of the old one. Throws std::runtime_error naming the file.
+void writeStatsJson(const std::string& path, const ServerStats& stats);
+
+}  // namespace coherency

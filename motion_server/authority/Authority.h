@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "common/body/Rig.h"
+#include "common/motion/SampleGate.h"
+#include "common/world/WorldState.h"
+#include "motion_server/device/Master.h"
+
+namespace coherency {
+
+/// What the authority rules over: a session's beginning and its rules.
+struct AuthorityConfig {
+  BasePose start;
+  DriveLimits limits;
+  DriveArea area;
+  std::int64_t period_ns = 1'000'000;
+};
+
+/// The one place where a session's state changes (design, "The shared world"): reads the master, lets its
+/// reading through the gate, and steps the world.
+class Authority {
+ public:
+  /// `master` outlives this.
+  Authority(const AuthorityConfig& config, const Rig& rig, Master& master);
+
+  struct Result {
+    WorldState world;
+    MotionSample sample;
+  };
+  /// One sample at `elapsed_ns` since the session began, `server_time_ns` on the server's clock. The world is
+  /// stepped `ticks_elapsed` periods, so that after missed ones its tick still is elapsed time over period.
+  /// nullopt: the master has ended, and nothing has changed.
+  std::optional<Result> sample(std::int64_t elapsed_ns, std::int64_t server_time_ns,
+                               std::uint64_t ticks_elapsed);
+
+  const WorldState& world() const { return world_; }
+  const std::array<std::uint64_t, kDofCount>& refused() const { return gate_.refused(); }
+
+ private:
+  AuthorityConfig config_;
+  Master& master_;
+  SampleGate gate_;
+  WorldState world_;
+  std::uint64_t sequence_ = 0;
+};
+
+}  // namespace coherency

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "common/body/ArmKinematics.h"
+#include "motion_server/device/simulated/SeatedBody.h"
+
+namespace coherency {
+
+/// Trunk and right arm together: what a reach moves.
+struct ReachPose {
+  Lean lean;
+  ArmJoints joints{};
+};
+
+/// A way from one pose to another, s from 0 to 1; two times continuously differentiable, its ends exact.
+class Reach {
+ public:
+  /// Precondition: at least two poses.
+  explicit Reach(std::vector<ReachPose> poses) : poses_(std::move(poses)) {}
+  ReachPose at(double s) const;
+  const ReachPose& goal() const { return poses_.back(); }
+
+ private:
+  std::vector<ReachPose> poses_;
+};
+
+/// Plans reaches as people make them: the palm goes nearly straight, rises early and sinks late, and the
+/// trunk leans as far as the arm alone does not reach.
+class ReachPlanner {
+ public:
+  explicit ReachPlanner(const Rig& rig);
+
+  /// Brings the middle of the palm to `palm` (body frame), palm down; as near as body and arm reach.
+  Reach toPlace(const ReachPose& from, const Coord3& palm) const;
+  /// Upright again, the hand back on the thigh.
+  Reach toRest(const ReachPose& from) const;
+
+  ReachPose rest() const { return rest_; }
+  Coord3 palm(const ReachPose& pose) const;  ///< body frame
+  const SeatedBody& body() const { return body_; }
+
+  /// Fitts' law (Shannon form): seconds for a movement of `distance_m` that ends within `width_m`.
+  static double duration(double distance_m, double width_m);
+
+ private:
+  struct Waypoint {
+    Coord3 palm;      // body frame
+    Quaternion hand;  // its attitude, body frame
+    Lean lean;
+  };
+  Waypoint waypoint(const ReachPose& pose) const;
+  static Waypoint between(const Waypoint& start, const Waypoint& goal, double s);
+  ReachPose poseAt(const Waypoint& way, const ArmJoints& seed) const;
+  Lean leanFor(const Coord3& palm) const;
+
+  SeatedBody body_;
+  ArmKinematics arm_;
+  ReachPose rest_;
+};
+
+}  // namespace coherency

@@ -1,0 +1,50 @@
+#include <cstdio>
+#include <exception>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "common/sync/Clock.h"
+#include "motion_server/MotionServer.h"
+#include "motion_server/Options.h"
+#include "motion_server/StatsReport.h"
+#include "motion_server/device/UsbDevices.h"
+
+namespace {
+
+void serve(const coherency::ServerOptions& options) {
+  using namespace coherency;
+  const MonotonicClock clock;
+  MotionServer server(options, clock);
+  const bool ipv6 = options.config.address.find(':') != std::string::npos;
+  fmt::print(stderr, "listening on {}{}{}:{}, scene {}, {} at {} Hz\n", ipv6 ? "[" : "", options.config.address,
+             ipv6 ? "]" : "", server.port(), options.config.scene, server.stats().master,
+             options.config.rate_hz);
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  server.run([&](const ServerStats& stats) {
+    if (!options.stats_json.empty()) writeStatsJson(options.stats_json, stats);
+    if (terminal) fmt::print(stderr, "\r\033[K{}", statusLine(stats));
+  });
+  if (!options.stats_json.empty()) writeStatsJson(options.stats_json, server.stats());
+  fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", statusLine(server.stats()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int exit_code = -1;
+  const coherency::ServerOptions options = coherency::parseServerOptions(argc, argv, exit_code);
+  if (exit_code >= 0) return exit_code;
+  try {
+    if (options.list_devices) {
+      for (const auto& device : coherency::listUsbDevices()) fmt::print("{}\n", coherency::describe(device));
+      return 0;
+    }
+    serve(options);
+    return 0;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "motion_server: {}\n", e.what());
+    return 1;
+  }
+}

@@ -1,0 +1,78 @@
+#include "render_client/Options.h"
+
+#include <charconv>
+#include <cstdlib>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "common/config/ConfigError.h"
+
+namespace coherency {
+namespace {
+
+void parseSize(const std::string& text, int& width, int& height) {
+  const auto x = text.find('x');
+  const auto number = [&](std::string_view part) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    const bool whole = error == std::errc{} && end == part.data() + part.size();
+    if (!whole || value < 16 || value > 16384)
+      throw ConfigError(
+          fmt::format("--size {}: must be WIDTHxHEIGHT, each from 16 to 16384, as 640x480", text));
+    return value;
+  };
+  const std::string_view all = text;
+  width = number(all.substr(0, x));
+  height = number(x == std::string::npos ? std::string_view{} : all.substr(x + 1));
+}
+
+bool hasDisplay() {
+  return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+}
+
+}  // namespace
+
+ClientOptions parseClientOptions(int argc, char** argv, int& exit_code) {
+  ClientOptions options;
+  std::string server = "127.0.0.1", display, size, hmd;
+  CLI::App app{"Draws one eye (or both) of the virtual human a motion server drives."};
+  app.add_option("--server", server, "HOST:PORT of the motion server [127.0.0.1:7430]");
+  app.add_option("--eye", options.eye, "left, right, both (side by side) or mono [both]")
+      ->check(CLI::IsMember({"left", "right", "both", "mono"}));
+  app.add_option("--display", display, "window or headless [window where there is a display]")
+      ->check(CLI::IsMember({"window", "headless"}));
+  app.add_option("--size", size, "WxH of one eye's picture in pixels [640x480]");
+  app.add_flag("--fullscreen", options.fullscreen, "fill a monitor; implies --display window");
+  app.add_option("--monitor", options.monitor, "which monitor, counted from 0 [0]")->check(CLI::Range(0, 63));
+  app.add_option("--hmd", hmd, "HMD profile, TOML (see share/coherency/hmds/) [generic]");
+  app.add_option("--samples", options.samples, "samples a pixel for antialiasing, 1 to 16 [4]")
+      ->check(CLI::Range(1, 16));
+  app.add_option("--fps", options.fps, "headless frames a second at most, 1 to 1000 [62.5]")
+      ->check(CLI::Range(1.0, 1000.0));
+  app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C or Esc]")
+      ->check(CLI::Range(0.0, 1e9));
+  app.add_option("--frames", options.frames, "end after this many frames [0: no limit]");
+  app.add_option("--snapshot-dir", options.snapshot_dir, "write EYE.png here at the end, and snapshots by key");
+  app.add_option("--snapshot-at", options.snapshot_at_s,
+                 "seconds of session time at which EYE.png is taken [the last frame]");
+  app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
+  app.add_option("--wait", options.wait_s, "seconds to wait for the server at the start [10]")
+      ->check(CLI::Range(0.0, 1e6));
+  app.set_version_flag("--version", COHERENCY_VERSION);
+  try {
+    app.parse(argc, argv);
+    options.server = parseEndpoint(server, 7430);
+    if (!size.empty()) parseSize(size, options.width, options.height);
+    if (!hmd.empty()) options.hmd = readHmdProfile(hmd);
+    options.window = options.fullscreen || display == "window" || (display.empty() && hasDisplay());
+  } catch (const CLI::ParseError& e) {
+    exit_code = app.exit(e) == 0 ? 0 : 2;
+  } catch (const ConfigError& e) {
+    fmt::print(stderr, "render_client: {}\n", e.what());
+    exit_code = 2;
+  }
+  return options;
+}
+
+}  // namespace coherency

@@ -1,0 +1,203 @@
+#include "render_client/RenderClient.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "common/sync/StopSignal.h"
+#include "render_client/present/Png.h"
+
+namespace coherency {
+namespace {
+
+constexpr std::int64_t kPatienceNs = 50'000'000;  // without motion the last pose is shown again at 20 Hz
+constexpr std::int64_t kStatusNs = 500'000'000;
+constexpr std::int64_t kHintNs = 8'000'000'000;
+
+std::unique_ptr<Display> makeDisplay(const ClientOptions& options) {
+  DisplayConfig config;
+  config.width = options.width * eyeCount(eyeChoice(options.eye));
+  config.height = options.height;
+  config.fullscreen = options.fullscreen;
+  config.monitor = options.monitor;
+  config.title = fmt::format("Coherency: {} eye", options.eye);
+  return options.window ? makeWindowDisplay(config) : makeHeadlessDisplay(config);
+}
+
+std::vector<std::pair<std::string, std::string>> pictureText(const Replica& replica, const ClientOptions& options) {
+  std::string dofs;
+  for (const auto units : replica.sample().units) dofs += fmt::format("{}{}", dofs.empty() ? "" : " ", units);
+  const BasePose& base = replica.world().base;
+  return {{"eye", options.eye},
+          {"scene", replica.session().scene},
+          {"hmd", options.hmd.name},
+          {"tick", fmt::format("{}", replica.world().tick)},
+          {"sequence", fmt::format("{}", replica.sample().sequence)},
+          {"dof_units", dofs},
+          {"base", fmt::format("{} {} {} {}", base.x_nm, base.y_nm, base.z_nm, base.heading_units)},
+          {"hash", fmt::format("{:016x}", replica.hash())}};
+}
+
+}  // namespace
+
+RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
+    : options_(options),
+      clock_(clock),
+      started_(now()),
+      link_({options.server.host, options.server.port, options.eye}, clock),
+      display_(makeDisplay(options)),
+      eyes_(eyeChoice(options.eye)),
+      timed_snapshot_(!options.snapshot_dir.empty() && options.snapshot_at_s >= 0.0) {
+  buildWorld(link_.waitForSession(static_cast<std::int64_t>(options.wait_s * 1e9)));
+}
+
+void RenderClient::buildWorld(const SessionConfig& session) {
+  renderer_.reset();  // the renderer holds on to the old replica's scene
+  replica_.emplace(session);
+  const int width = display_->hasWindow() ? display_->width() : options_.width * eyeCount(eyes_);
+  const int height = display_->hasWindow() ? display_->height() : options_.height;
+  renderer_.emplace(replica_->scene(), width, height, RendererSettings{.samples = options_.samples});
+  const double rate_hz = 1e9 / static_cast<double>(session.period_ns);
+  frame_ticks_ = static_cast<std::uint64_t>(std::max(1.0, std::floor(rate_hz / options_.fps)));
+  drawn_tick_ = 0;
+}
+
+void RenderClient::followSession() {
+  const auto session = link_.session();
+  if (!session || session->session_id == replica_->session().session_id) return;
+  if (sameWorld(*session, replica_->session())) {
+    replica_->follow(*session);
+    drawn_tick_ = 0;
+  } else {
+    buildWorld(*session);
+  }
+}
+
+/// The pose of the next frame on the grid; where none comes in time, the newest there is.
+std::optional<ReceivedPacket> RenderClient::awaitPose() const {
+  const auto latestOnGrid = [&](const ReceivedPacket& newest) {
+    return newest.packet.world.tick / frame_ticks_ * frame_ticks_;
+  };
+  auto newest = link_.newest();
+  if (!newest || latestOnGrid(*newest) <= drawn_tick_) {
+    const std::uint64_t wanted = newest ? drawn_tick_ / frame_ticks_ * frame_ticks_ + frame_ticks_ : 0;
+    link_.waitForTick(wanted, kPatienceNs);
+    newest = link_.newest();
+    if (!newest) return std::nullopt;
+  }
+  const auto on_grid = link_.atTick(latestOnGrid(*newest));
+  return on_grid ? on_grid : newest;
+}
+
+void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) {
+  catchStopSignals();
+  ClientTime last_status = now();
+  while (!finished()) {
+    if (now() - last_status >= kStatusNs) {
+      last_status = now();
+      const ClientStats latest = stats();
+      overlay_text_ = overlayText(latest);
+      onStatus(latest);
+    }
+    handleInput();
+    followSession();
+    if (const auto pose = awaitPose(); pose) drawFrame(*pose);
+  }
+  if (!options_.snapshot_dir.empty() && options_.snapshot_at_s < 0.0 && stats_.frames > 0)
+    writeSnapshot(options_.eye);
+}
+
+void RenderClient::drawFrame(const ReceivedPacket& pose) {
+  const ClientTime begun = now();
+  replica_->apply(pose.packet);
+  newest_arrived_ = pose.arrived;
+  if (display_->hasWindow()) renderer_->resize(display_->width(), display_->height());
+  const int width = display_->hasWindow() ? display_->width() / eyeCount(eyes_) : options_.width;
+  const int height = display_->hasWindow() ? display_->height() : options_.height;
+  eyeViews(replica_->scene(), options_.hmd, eyes_, width, height, views_);
+  renderer_->draw(views_);
+  takeSnapshots();
+  showText();
+  if (display_->hasWindow()) renderer_->present(display_->width(), display_->height());
+  display_->present();
+  countFrame(pose, begun, now());
+}
+
+void RenderClient::countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented) {
+  ++stats_.frames;
+  if (!first_frame_) first_frame_ = presented;
+  last_frame_ = presented;
+  stats_.frame_ms.add(static_cast<double>(presented - begun) / 1e6);
+  const auto server_now = link_.toServer(presented);
+  if (server_now && pose.packet.world.tick > drawn_tick_) {
+    const std::int64_t latency = server_now->ns - pose.packet.sample.server_time_ns;
+    stats_.motion_to_present_ms.add(static_cast<double>(latency) / 1e6);
+    link_.reportFrame({replica_->sample().sequence, replica_->hash(), server_now->ns});
+  }
+  drawn_tick_ = pose.packet.world.tick;
+}
+
+/// Before any text is drawn over the picture.
+void RenderClient::takeSnapshots() {
+  const auto period_s = static_cast<double>(replica_->session().period_ns) * 1e-9;
+  if (timed_snapshot_ && static_cast<double>(replica_->world().tick) * period_s >= options_.snapshot_at_s) {
+    writeSnapshot(options_.eye);
+    timed_snapshot_ = false;
+  }
+  if (snapshot_due_) writeSnapshot(fmt::format("{}_{:03}", options_.eye, ++snapshots_));
+  snapshot_due_ = false;
+}
+
+void RenderClient::showText() {
+  const std::int64_t silent_ns = now() - newest_arrived_;
+  std::string text;
+  if (overlay_) text = overlay_text_;
+  if (silent_ns > 500'000'000)
+    text = fmt::format("no signal from {}:{} for {:.1f} s: holding the last pose\n", options_.server.host,
+                       options_.server.port, static_cast<double>(silent_ns) / 1e9) + text;
+  else if (!overlay_ && display_->hasWindow() && now() - started_ < kHintNs)
+    text = "F1 statistics   F2 snapshot   Esc quit";
+  if (!text.empty()) renderer_->drawText(views_, text);
+}
+
+void RenderClient::handleInput() {
+  const DisplayInput input = display_->poll();
+  closed_ = closed_ || input.close;
+  snapshot_due_ = snapshot_due_ || input.snapshot;
+  overlay_ = overlay_ != input.toggle_overlay;
+}
+
+void RenderClient::writeSnapshot(const std::string& name) {
+  const std::filesystem::path folder = options_.snapshot_dir.empty() ? "." : options_.snapshot_dir;
+  std::filesystem::create_directories(folder);
+  writePng((folder / (name + ".png")).string(), renderer_->readImage(), pictureText(*replica_, options_));
+}
+
+bool RenderClient::finished() const {
+  if (stopRequested() || closed_) return true;
+  if (options_.frames > 0 && stats_.frames >= options_.frames) return true;
+  return options_.duration_s > 0.0 && static_cast<double>(now() - started_) >= options_.duration_s * 1e9;
+}
+
+ClientStats RenderClient::stats() const {
+  ClientStats stats = stats_;
+  stats.eye = options_.eye;
+  stats.scene = replica_->session().scene;
+  stats.renderer = renderer_->rendererName();
+  stats.width = views_.empty() ? options_.width : views_.front().width;
+  stats.height = views_.empty() ? options_.height : views_.front().height;
+  stats.samples = renderer_->samples();
+  stats.hash_mismatches = replica_->hashMismatches();
+  stats.link = link_.stats();
+  if (first_frame_) {
+    stats.first_frame_ms = static_cast<double>(*first_frame_ - started_) / 1e6;
+    const auto span_ns = static_cast<double>(last_frame_ - *first_frame_);
+    stats.fps = stats.frames > 1 ? static_cast<double>(stats.frames - 1) * 1e9 / span_ns : 0.0;
+    stats.motion_age_ms = static_cast<double>(now() - newest_arrived_) / 1e6;
+  }
+  return stats;
+}
+
+}  // namespace coherency

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/sync/Clock.h"
+#include "render_client/Options.h"
+#include "render_client/StatsReport.h"
+#include "render_client/draw/EyeViews.h"
+#include "render_client/draw/Renderer.h"
+#include "render_client/present/Display.h"
+#include "render_client/receive/ServerLink.h"
+#include "render_client/replica/Replica.h"
+
+namespace coherency {
+
+/// A render client as a whole: receive -> replica -> draw -> present, frame by frame.
+///
+/// Frames are drawn on a grid of ticks: every eye draws the samples whose tick is a multiple of the frame's length, so that the
+/// eyes of one session draw the same moments without talking to each other.
+class RenderClient {
+ public:
+  /// Opens the display and waits for the server. Throws std::runtime_error with place and remedy.
+  RenderClient(const ClientOptions& options, const Clock& clock);
+
+  /// Draws until Ctrl-C, the window is closed, or the duration or number of frames is reached.
+  /// `onStatus` is called twice a second.
+  void run(const std::function<void(const ClientStats&)>& onStatus);
+  /// With what is known at this moment.
+  ClientStats stats() const;
+
+ private:
+  void buildWorld(const SessionConfig& session);
+  void followSession();
+  std::optional<ReceivedPacket> awaitPose() const;
+  void drawFrame(const ReceivedPacket& pose);
+  void countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented);
+  void takeSnapshots();
+  void showText();
+  void handleInput();
+  void writeSnapshot(const std::string& name);
+  bool finished() const;
+  ClientTime now() const { return {clock_.nowNs()}; }
+
+  ClientOptions options_;
+  const Clock& clock_;
+  ClientTime started_;
+  ServerLink link_;
+  std::unique_ptr<Display> display_;
+  EyeChoice eyes_;
+  bool timed_snapshot_;  ///< still to be taken
+  std::optional<Replica> replica_;
+  std::optional<Renderer> renderer_;
+  std::vector<EyeView> views_;
+  std::uint64_t frame_ticks_ = 1;      ///< length of a frame on the grid
+  std::uint64_t drawn_tick_ = 0;
+  ClientTime newest_arrived_;
+  std::optional<ClientTime> first_frame_;
+  ClientTime last_frame_;
+  bool overlay_ = false;
+  std::string overlay_text_;
+  bool closed_ = false;
+  bool snapshot_due_ = false;
+  int snapshots_ = 0;
+  ClientStats stats_;
+};
+
+}  // namespace coherency

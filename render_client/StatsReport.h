@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "common/math/Quantiles.h"
+#include "render_client/receive/ServerLink.h"
+
+namespace coherency {
+
+/// What a client knows of its own run.
+struct ClientStats {
+  std::string eye;
+  std::string scene;
+  std::string renderer;
+  int width = 0;
+  int height = 0;
+  int samples = 0;
+  std::uint64_t frames = 0;
+  double fps = 0.0;              ///< over the whole run, from the first frame on
+  double first_frame_ms = 0.0;   ///< from the program's start
+  double motion_age_ms = 0.0;    ///< of the newest packet, now
+  Quantiles frame_ms;            ///< pose to picture complete
+  Quantiles motion_to_present_ms;  ///< sampling on the server to picture complete here
+  std::uint64_t hash_mismatches = 0;
+  LinkStats link;
+};
+
+/// One line for a terminal.
+std::string statusLine(const ClientStats& stats);
+/// Several lines for the picture.
+std::string overlayText(const ClientStats& stats);
+/// Writes a whole new file and puts it in place of the old one. Throws std::runtime_error naming the file.
+void writeStatsJson(const std::string& path, const ClientStats& stats);
+
+}  // namespace coherency

@@ -1,0 +1,41 @@
+#include "render_client/draw/DrawCommands.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace coherency {
+
+DrawCommands::DrawCommands(std::size_t capacity) : commands_(std::max<std::size_t>(capacity, 1)) {
+  glNamedBufferStorage(buffer_.name(), static_cast<GLsizeiptr>(commands_.size() * sizeof(Command)), nullptr,
+                       GL_DYNAMIC_STORAGE_BIT);
+}
+
+void DrawCommands::clear() { upright_ = mirrored_ = 0; }
+
+void DrawCommands::add(const Drawable& drawable, std::size_t number, bool mirrored) {
+  assert(upright_ + mirrored_ < commands_.size());
+  const std::size_t at = mirrored ? commands_.size() - ++mirrored_ : upright_++;
+  commands_[at] = {drawable.index_count, 1, drawable.first_index, static_cast<GLint>(drawable.first_vertex),
+                   static_cast<GLuint>(number)};
+}
+
+void DrawCommands::upload() {
+  glNamedBufferSubData(buffer_.name(), 0, static_cast<GLsizeiptr>(commands_.size() * sizeof(Command)),
+                       commands_.data());
+}
+
+void DrawCommands::draw() const {
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer_.name());
+  const auto issue = [](std::size_t first, std::size_t count) {
+    if (count == 0) return;
+    const void* offset = reinterpret_cast<const void*>(first * sizeof(Command));
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, offset, static_cast<GLsizei>(count), 0);
+  };
+  issue(0, upright_);
+  if (mirrored_ == 0) return;
+  glFrontFace(GL_CW);
+  issue(commands_.size() - mirrored_, mirrored_);
+  glFrontFace(GL_CCW);
+}
+
+}  // namespace coherency

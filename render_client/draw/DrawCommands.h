@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "render_client/compile/CompiledScene.h"
+#include "render_client/draw/GlObjects.h"
+
+namespace coherency {
+
+/// What one frame draws, as the GPU reads it: one call a view, and one more where mirrored objects, whose triangles turn
+/// the other way round, are among them.
+class DrawCommands {
+ public:
+  explicit DrawCommands(std::size_t capacity);
+
+  void clear();
+  /// `number` is the drawable's place in CompiledScene::drawables(). No more than `capacity`.
+  void add(const Drawable& drawable, std::size_t number, bool mirrored);
+  void upload();
+  /// With the scene's buffers bound; culling as the caller has set it. Leaves GL_CCW as the front face.
+  void draw() const;
+
+ private:
+  struct Command {  // as glMultiDrawElementsIndirect has it
+    GLuint count;
+    GLuint instance_count;
+    GLuint first_index;
+    GLint base_vertex;
+    GLuint base_instance;
+  };
+
+  std::vector<Command> commands_;  ///< upright ones from the front, mirrored ones from the back
+  std::size_t upright_ = 0;
+  std::size_t mirrored_ = 0;
+  Buffer buffer_;
+};
+
+}  // namespace coherency

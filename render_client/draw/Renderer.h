@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "common/world/Scene.h"
+#include "render_client/draw/EyeView.h"
+#include "render_client/draw/Image.h"
+#include "render_client/draw/RendererSettings.h"
+
+namespace coherency {
+
+/// Draws a scene with OpenGL 4.5 core. Poses are composed in double relative to the eye and cast to float last, depth is
+/// reversed with the far plane at infinity (design, "Numerics" 1 and 5). A context must be current, and stay the
+/// same, at every call. The scene's shapes are uploaded once at construction; afterwards the tree keeps its structure, and
+/// only transforms, materials and the lights' places and colours may change. Where nothing is drawn one sees the sky light.
+class Renderer {
+ public:
+  /// Throws std::runtime_error when the context is older than 4.5 (naming what it is), a shader does not compile, or
+  /// the target cannot be made. `scene` must outlive this.
+  Renderer(const Scene& scene, int width, int height, const RendererSettings& settings = {});
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Draws the scene as it now stands into the off-screen target, one view after another.
+  void draw(std::span<const EyeView> views);
+  /// Draws lines of text over the picture, from the top left corner of each view.
+  void drawText(std::span<const EyeView> views, const std::string& text);
+  /// Resolves the target and copies it to the window's framebuffer (0), scaled to fit `width` x `height`.
+  void present(int width, int height);
+  /// Waits for the GPU and reads the target back.
+  Image readImage();
+
+  void resize(int width, int height);
+  int samples() const;               ///< a pixel, as the driver has them
+  std::string rendererName() const;  ///< as GL_RENDERER has it
+  std::size_t triangleCount() const;
+  std::size_t objectCount() const;  ///< that show faces
+
+ private:
+  struct Gl;
+  std::unique_ptr<Gl> gl_;
+};
+
+}  // namespace coherency

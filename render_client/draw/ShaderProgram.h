@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "render_client/draw/GlObjects.h"
+
+namespace coherency {
+
+/// Throws std::runtime_error with `name` and the driver's log when a stage does not compile or they do not link.
+Program makeProgram(const std::string& name, const char* vertex_source, const char* fragment_source);
+
+}  // namespace coherency

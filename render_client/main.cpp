@@ -1,0 +1,33 @@
+#include <cstdio>
+#include <exception>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "common/sync/Clock.h"
+#include "render_client/Options.h"
+#include "render_client/RenderClient.h"
+#include "render_client/StatsReport.h"
+
+int main(int argc, char** argv) {
+  using namespace coherency;
+  int exit_code = -1;
+  const ClientOptions options = parseClientOptions(argc, argv, exit_code);
+  if (exit_code >= 0) return exit_code;
+  try {
+    const MonotonicClock clock;
+    RenderClient client(options, clock);
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    client.run([&](const ClientStats& stats) {
+      if (!options.stats_json.empty()) writeStatsJson(options.stats_json, stats);
+      if (terminal) fmt::print(stderr, "\r\033[K{}", statusLine(stats));
+    });
+    if (!options.stats_json.empty()) writeStatsJson(options.stats_json, client.stats());
+    fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", statusLine(client.stats()));
+    return 0;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "render_client: {}\n", e.what());
+    return 1;
+  }
+}

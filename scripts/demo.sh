@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Installs, builds, and runs one motion server and two eyes for a while; leaves out/left.png, out/right.png,
+# out/stereo.png and a report in words. Windows where there is a display, headless otherwise.
+# Usage: demo.sh [--seconds S] [--recording FILE] [--headless] [--size WxH]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+seconds=20
+size=640x480
+display=""
+server_options=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --seconds) seconds=${2:?--seconds needs a number}; shift 2 ;;
+    --recording) server_options+=(--recording "${2:?--recording needs a file}"); shift 2 ;;
+    --size) size=${2:?--size needs WxH}; shift 2 ;;
+    --headless) display=headless; shift ;;
+    -h | --help) sed -n '2,4s/^# //p' "$0"; exit 0 ;;
+    *) echo "demo.sh: unknown option '$1'; see --help" >&2; exit 2 ;;
+  esac
+done
+[[ "$seconds" =~ ^[0-9]+$ && "$seconds" -ge 5 ]] || { echo "demo.sh: --seconds must be 5 or more" >&2; exit 2; }
+if [ -z "$display" ]; then
+  if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then display=window; else display=headless; fi
+fi
+
+echo "1/4 packages"
+scripts/install_packages.sh build
+echo "2/4 build (a few minutes the first time)"
+cmake --preset release -DCOHERENCY_TESTS=OFF -DCOHERENCY_BENCH=OFF -B build/demo >/dev/null
+cmake --build build/demo
+
+echo "3/4 one server, two eyes ($display), $seconds seconds"
+rm -rf out && mkdir -p out
+pids=()
+end_all() { for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || :; done; wait 2>/dev/null || :; }
+trap end_all EXIT
+
+port_file=out/server.log
+build/demo/motion_server/motion_server --config configs/servers/laboratory.toml --listen 127.0.0.1:0 \
+  --duration $((seconds + 3)) --stats-json out/server.json "${server_options[@]}" 2>"$port_file" &
+pids+=($!)
+server=$!
+for _ in $(seq 100); do
+  address=$(sed -n 's/^listening on \([^ ]*\).*/\1/p' "$port_file")
+  [ -n "$address" ] && break
+  kill -0 "$server" 2>/dev/null || { cat "$port_file" >&2; exit 1; }
+  sleep 0.1
+done
+eyes=()
+for eye in left right; do
+  build/demo/render_client/render_client --server "$address" --eye "$eye" --display "$display" --size "$size" \
+    --duration "$seconds" --snapshot-dir out --snapshot-at $((seconds - 3)) --stats-json "out/$eye.json" \
+    2>"out/$eye.log" &
+  pids+=($!)
+  eyes+=($!)
+done
+for second in $(seq "$seconds"); do
+  printf '\r  %2d of %d s ' "$second" "$seconds"
+  sleep 1
+done
+printf '\n'
+failed=no
+for pid in "${eyes[@]}" "$server"; do wait "$pid" || failed=yes; done
+if [ "$failed" = yes ]; then
+  cat out/*.log >&2
+  exit 1
+fi
+echo "4/4 report"
+python3 scripts/coherency_check.py out
+echo "pictures: out/left.png out/right.png out/stereo.png"

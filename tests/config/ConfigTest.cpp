@@ -1,0 +1,160 @@
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "common/config/ConfigError.h"
+#include "common/config/Endpoint.h"
+#include "common/config/HmdProfile.h"
+#include "common/config/ReplaceFile.h"
+#include "common/config/RigFile.h"
+#include "common/config/ServerConfig.h"
+
+namespace coherency {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ConfigTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("coherency_") + test->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string write(const std::string& text, const std::string& name = "it.toml") {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+
+  template <class Read>
+  static std::string messageOf(Read&& read) {
+    try {
+      read();
+    } catch (const ConfigError& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+
+  void expectRefused(const std::string& text, const std::string& place, const std::string& words) {
+    const std::string message = messageOf([&] { readServerConfig(write(text)); });
+    EXPECT_NE(message.find("it.toml" + place), std::string::npos) << message;
+    EXPECT_NE(message.find(words), std::string::npos) << message;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ConfigTest, EveryShippedFileLoads) {
+  const fs::path configs = COHERENCY_CONFIGS;
+  int files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(configs)) {
+    if (entry.path().extension() != ".toml") continue;
+    ++files;
+    const std::string folder = entry.path().parent_path().filename();
+    const std::string path = entry.path().string();
+    if (folder == "servers") EXPECT_NO_THROW(readServerConfig(path)) << path;
+    else if (folder == "rigs") EXPECT_NO_THROW(readRig(path)) << path;
+    else if (folder == "hmds") EXPECT_NO_THROW(readHmdProfile(path)) << path;
+    else ADD_FAILURE() << path << ": nobody reads this folder";
+  }
+  EXPECT_GE(files, 8);
+}
+
+TEST_F(ConfigTest, ShippedDefaultsAreTheProgramsDefaults) {
+  const fs::path configs = COHERENCY_CONFIGS;
+  const HmdProfile file = readHmdProfile((configs / "hmds/generic.toml").string());
+  const HmdProfile built_in;
+  EXPECT_EQ(file.name, built_in.name);
+  EXPECT_EQ(file.source, built_in.source);
+  EXPECT_EQ(file.panel_width, built_in.panel_width);
+  EXPECT_EQ(file.panel_height, built_in.panel_height);
+  EXPECT_EQ(file.near_m, built_in.near_m);
+  for (const auto& [a, b] : {std::pair{file.left, built_in.left}, std::pair{file.right, built_in.right}}) {
+    EXPECT_EQ(a.tan_left, b.tan_left);
+    EXPECT_EQ(a.tan_right, b.tan_right);
+    EXPECT_EQ(a.tan_down, b.tan_down);
+    EXPECT_EQ(a.tan_up, b.tan_up);
+  }
+  const Rig rig = readRig((configs / "rigs/default.toml").string());
+  for (const RigField& field : rigFields()) EXPECT_EQ(rig.*field.value, Rig{}.*field.value) << field.name;
+  const ServerConfig server = readServerConfig((configs / "servers/laboratory.toml").string());
+  EXPECT_EQ(server.address, ServerConfig{}.address);
+  EXPECT_EQ(server.port, ServerConfig{}.port);
+  EXPECT_EQ(server.rate_hz, ServerConfig{}.rate_hz);
+  EXPECT_EQ(server.master, ServerConfig{}.master);
+}
+
+TEST_F(ConfigTest, WrongFilesAreRefusedWithPlaceAndRemedy) {
+  expectRefused("scene = \n", ":1:", "");
+  expectRefused("[network]\nport = 70000\n", ":2:", "network.port: 70000 is out of range; must be from 0 to 65535");
+  expectRefused("[network]\nport = \"x\"\n", ":2:", "must be a whole number");
+  expectRefused("[sampling]\nrate_hz = nan\n", ":2:", "sampling.rate_hz");
+  expectRefused("[sampling]\n\n  rate_hz = inf\n", ":3:", "must be from 10 to 10000");
+  expectRefused("[master]\nkind = \"telepathy\"\n", ":2:", "must be one of: simulated, replay");
+  expectRefused("[netwrok]\nport = 1\n", ":1:", "known are: master, network, rig, sampling, scene");
+  expectRefused("network = 3\n", ":1:", "must be a table");
+  expectRefused("[master.replay]\nloop = 1\n", ":2:", "must be true or false");
+}
+
+TEST_F(ConfigTest, MissingFilesAreNamed) {
+  EXPECT_NE(messageOf([] { readServerConfig("/nowhere/x.toml"); }).find("/nowhere/x.toml: no such file"),
+            std::string::npos);
+  const std::string path = write("rig = \"absent.toml\"\n");
+  EXPECT_NE(messageOf([&] { readServerConfig(path); }).find("absent.toml: no such file"), std::string::npos);
+}
+
+TEST_F(ConfigTest, PathsAreRelativeToTheFile) {
+  write("upper_arm = 0.25\n", "arm.toml");
+  EXPECT_EQ(readServerConfig(write("rig = \"arm.toml\"\n")).rig.upper_arm, 0.25);
+}
+
+TEST_F(ConfigTest, AbsurdRigsAreRefused) {
+  for (const char* text : {"upper_arm = -0.3\n", "upper_arm = 30.0\n", "eye_distance = nan\n", "leg = 1.0\n"})
+    EXPECT_THROW(readRig(write(text)), ConfigError) << text;
+}
+
+TEST_F(ConfigTest, HmdNeedsBothEyesAndAPicture) {
+  const std::string eye = "left = 40.0\nright = 40.0\ndown = 40.0\nup = 40.0\n";
+  EXPECT_NO_THROW(readHmdProfile(write("[left]\n" + eye + "[right]\n" + eye)));
+  EXPECT_THROW(readHmdProfile(write("[left]\n" + eye)), ConfigError);
+  EXPECT_THROW(readHmdProfile(write("[left]\n" + eye + "[right]\nleft = 40.0\n")), ConfigError);
+  EXPECT_THROW(readHmdProfile(write("[left]\n" + eye + "[right]\nleft = -40.0\nright = 40.0\ndown = 1.0\nup = 1.0\n")),
+               ConfigError);
+}
+
+TEST_F(ConfigTest, FittingKeepsPixelsSquareAndTheHorizontalView) {
+  const FieldOfView view = fieldOfViewFromDegrees(52.0, 44.0, 30.0, 50.0);
+  const FieldOfView fitted = fitToPicture(view, 640, 480);
+  EXPECT_EQ(fitted.tan_left, view.tan_left);
+  EXPECT_EQ(fitted.tan_right, view.tan_right);
+  EXPECT_NEAR((fitted.tan_left + fitted.tan_right) / 640, (fitted.tan_down + fitted.tan_up) / 480, 1e-15);
+  EXPECT_NEAR(fitted.tan_down / fitted.tan_up, view.tan_down / view.tan_up, 1e-15);
+}
+
+TEST_F(ConfigTest, Endpoints) {
+  EXPECT_EQ(parseEndpoint("pc1", 7).port, 7);
+  EXPECT_EQ(parseEndpoint("pc1:80", 7).port, 80);
+  EXPECT_EQ(parseEndpoint("[::1]:80", 7).host, "::1");
+  EXPECT_EQ(parseEndpoint("[::1]", 7).port, 7);
+  for (const char* wrong : {"", ":80", "pc1:", "pc1:x", "pc1:70000", "pc1:-1", "::1", "[::1", "[::1]x", "[::1]:"})
+    EXPECT_THROW(parseEndpoint(wrong, 7), ConfigError) << wrong;
+}
+
+TEST_F(ConfigTest, ReplacedFilesAreWholeOrNamed) {
+  const std::string path = (folder_ / "a.json").string();
+  replaceFile(path, "one");
+  replaceFile(path, "two");
+  std::ifstream file(path);
+  std::string text;
+  file >> text;
+  EXPECT_EQ(text, "two");
+  EXPECT_FALSE(fs::exists(path + ".new"));
+  EXPECT_THROW(replaceFile("/nowhere/at/all.json", "x"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace coherency

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""The chain under what goes wrong: bad input, killed programs, noise on the ports."""
+import os
+import pathlib
+import signal
+import socket
+import subprocess
+import time
+import unittest
+
+from session import CLIENT, ROOT, SERVER, SessionTest
+
+HEADER = ("t_s,head_x_m,head_y_m,head_z_m,head_qw,head_qx,head_qy,head_qz,arm_j1_rad,arm_j2_rad,arm_j3_rad,arm_j4_rad,"
+          "arm_j5_rad,arm_j6_rad,arm_j7_rad,grip,joy_x,joy_y,joy_yaw,pedal_l,pedal_r\n")
+LABORATORY = ROOT / "configs/servers/laboratory.toml"
+
+
+def row(t, first="0", qw="1"):
+    return f"{t},{first},1.6,0,{qw},0,0,0,0.1,0.1,0.1,0.5,0,0,0,0,0,0,0,0,0\n"
+
+
+class BadInput(SessionTest):
+    """Exit 2 for arguments and configuration, 1 for what fails while running; one line with place and remedy."""
+
+    def refuse(self, code, words, *arguments):
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        done = subprocess.run([str(a) for a in arguments], capture_output=True, text=True, timeout=20,
+                              env=environment)
+        said = done.stdout + done.stderr
+        self.assertEqual(done.returncode, code, said)
+        for word in words:
+            self.assertIn(word, said)
+        return said
+
+    def test_arguments(self):
+        self.refuse(2, ["--no-such-option"], SERVER, "--no-such-option")
+        self.refuse(2, ["--no-such-option"], CLIENT, "--no-such-option")
+        self.refuse(2, ["--config FILE is missing", "configs/servers/laboratory.toml"], SERVER)
+        self.refuse(2, ["telepathy"], SERVER, "--config", LABORATORY, "--master", "telepathy")
+        self.refuse(2, ["needs a recording"], SERVER, "--config", LABORATORY, "--master", "replay")
+        self.refuse(2, ["is no HOST:PORT"], SERVER, "--config", LABORATORY, "--listen", "127.0.0.1:99999")
+        self.refuse(2, ["--insecure"], SERVER, "--config", LABORATORY, "--listen", "0.0.0.0:0")
+        self.refuse(2, ["third"], CLIENT, "--eye", "third")
+        self.refuse(2, ["WIDTHxHEIGHT"], CLIENT, "--size", "640")
+        self.refuse(2, ["16 to 16384"], CLIENT, "--size", "0x480")
+        self.refuse(2, ["nowhere.toml: no such file"], CLIENT, "--hmd", "nowhere.toml")
+
+    def test_help_and_version_end_well(self):
+        for program in (SERVER, CLIENT):
+            self.assertIn("--stats-json", self.refuse(0, ["--help"], program, "--help"))
+            self.refuse(0, ["0."], program, "--version")
+
+    def test_configuration(self):
+        self.refuse(2, ["nowhere.toml: no such file"], SERVER, "--config", "nowhere.toml")
+        bad = self.folder / "bad.toml"
+        bad.write_text("scene = \"laboratory\"\n[network]\nport = 70000\n")
+        self.refuse(2, ["bad.toml:3:", "network.port", "from 0 to 65535"], SERVER, "--config", bad)
+        bad.write_text("scene = \n")
+        self.refuse(2, ["bad.toml:1:"], SERVER, "--config", bad)
+
+    def test_unknown_scene(self):
+        self.refuse(1, ["atlantis", "laboratory"], SERVER, "--config", LABORATORY, "--listen", "127.0.0.1:0",
+                    "--scene", "atlantis")
+
+    def test_recordings(self):
+        file = self.folder / "bad.csv"
+        for text, words in [
+            (None, ["bad.csv"]),
+            ("", ["bad.csv:1"]),
+            (HEADER, ["bad.csv"]),
+            ("a,b,c\n1,2,3\n", ["bad.csv:1"]),
+            (HEADER + row("0") + row("0.1", first="left"), ["bad.csv:3:5", "left"]),
+            (HEADER + row("0") + row("0.1", first="nan"), ["bad.csv:3:5"]),
+            (HEADER + row("0") + row("0.1", first="500"), ["bad.csv:3", "head_x"]),
+            (HEADER + row("0.1") + row("0.1"), ["bad.csv:3:1"]),
+            (HEADER + row("0") + row("0.1", qw="0.5"), ["bad.csv:3"]),
+            (HEADER + row("0") + "0.1,1,2\n", ["bad.csv:3"]),
+        ]:
+            if text is not None:
+                file.write_text(text)
+            said = self.refuse(1, words, SERVER, "--config", LABORATORY, "--listen", "127.0.0.1:0", "--recording", file)
+            self.assertLess(len(said.strip().splitlines()), 2, said)
+
+    def test_port_in_use(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            port = taken.getsockname()[1]
+            self.refuse(1, [f"127.0.0.1:{port}"], SERVER, "--config", LABORATORY, "--listen", f"127.0.0.1:{port}")
+
+    def test_unreachable_server(self):
+        self.refuse(1, ["127.0.0.1:9", "motion_server"], CLIENT, "--server", "127.0.0.1:9", "--wait", "1", "--display",
+                    "headless")
+        self.refuse(1, ["no.such.host.invalid"], CLIENT, "--server", "no.such.host.invalid", "--wait", "1", "--display",
+                    "headless")
+
+    def test_window_without_a_display(self):
+        self.refuse(1, ["--display headless"], CLIENT, "--display", "window", "--wait", "1")
+
+    def test_statistics_that_cannot_be_written(self):
+        self.refuse(1, ["/nowhere/stats.json"], SERVER, "--config", LABORATORY, "--listen", "127.0.0.1:0",
+                    "--duration", "0.2", "--stats-json", "/nowhere/stats.json")
+
+
+class Survival(SessionTest):
+    def frames(self, name):
+        return (self.stats(name) or {}).get("frames", 0)
+
+    def test_two_eyes_agree_and_lose_nothing(self):
+        _, address = self.server()
+        eyes = [self.client(address, eye, "--fps", "20", "--size", "320x240", "--duration", "6")
+                for eye in ("left", "right")]
+        for eye in eyes:
+            self.assertEnds(eye, 0)
+        for name in ("left", "right"):
+            stats = self.stats(name)
+            self.assertGreater(stats["frames"], 40)
+            self.assertEqual(stats["packets"]["lost"], 0, stats)
+            self.assertEqual(stats["packets"]["rejected"], 0)
+            self.assertEqual(stats["replica"]["hash_mismatches"], 0)
+        server = self.until(lambda: (s := self.stats("server")) and s["stereo"]["frames_compared"] > 30 and s, 5)
+        self.assertEqual(server["stereo"]["frames_agreeing"], server["stereo"]["frames_compared"])
+
+    def test_a_killed_eye_comes_back_within_a_second_and_a_third_disturbs_nobody(self):
+        _, address = self.server()
+        options = ("--fps", "20", "--size", "160x120")
+        self.client(address, "right", *options)
+        left = self.client(address, "left", *options)
+        self.until(lambda: self.frames("left") > 10 and self.frames("right") > 10, 15, left)
+        left.end(signal.SIGKILL)
+        again = time.monotonic()
+        second = self.client(address, "left", *options, "--frames", "1", name="again")
+        self.assertEnds(second, 0)
+        print(f"killed eye: first frame {self.stats('again')['first_frame_ms']:.0f} ms after its start, program over "
+              f"after {time.monotonic() - again:.2f} s")
+        self.assertLess(self.stats("again")["first_frame_ms"], 1000)
+        third = self.client(address, "mono", *options, "--duration", "2")
+        self.assertEnds(third, 0)
+        right = self.until(lambda: self.stats("right"), 5)
+        self.assertEqual(right["packets"]["lost"], 0, right)
+        self.assertEqual(right["connections"], 1)
+
+    def test_eyes_hold_and_return_when_the_server_does(self):
+        first, address = self.server()
+        self.client(address, "left", "--fps", "20", "--size", "160x120")
+        self.until(lambda: self.frames("left") > 10, 15)
+        first.end(signal.SIGKILL)
+        self.until(lambda: (s := self.stats("left")) and s["motion_age_ms"] > 1500, 10)
+        before = self.frames("left")
+        self.until(lambda: self.frames("left") > before, 5)  # the last pose goes on being shown
+        self.server(listen=address, name="second")
+        self.until(lambda: self.stats("left")["connections"] == 2 and self.stats("left")["motion_age_ms"] < 100, 5)
+
+    def test_noise_on_both_ports_is_counted_and_ignored(self):
+        server, address = self.server()
+        host, port = address.rsplit(":", 1)
+        self.client(address, "left", "--fps", "20", "--size", "160x120")
+        self.until(lambda: self.frames("left") > 10, 15)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as datagrams:
+            for size in list(range(0, 200)) + [1400] * 20:
+                datagrams.sendto(os.urandom(size), (host, int(port)))
+        for _ in range(20):
+            with socket.create_connection((host, int(port))) as stream:
+                stream.sendall(os.urandom(300))
+        stats = self.until(lambda: (s := self.stats("server")) and sum(s["rejected"].values()) > 200 and s, 5)
+        self.assertTrue(server.running())
+        left = self.until(lambda: self.stats("left"), 5)
+        self.assertEqual(left["packets"]["lost"], 0, left)
+        print("noise counted:", stats["rejected"])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,223 @@
+// Shapes and trees made ready for drawing; needs no OpenGL.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "common/scene/Primitives.h"
+#include "render_client/compile/CompiledScene.h"
+
+namespace coherency {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Coord3 coord(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+struct Triangle {
+  Coord3 corner[3];
+  Coord3 normal[3];
+  Coord3 area;  ///< outward by the winding
+};
+
+std::vector<Triangle> triangles(const Mesh& mesh) {
+  std::vector<Triangle> all;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    Triangle t;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const MeshVertex& vertex = mesh.vertices.at(mesh.indices[i + c]);
+      t.corner[c] = coord(vertex.position);
+      t.normal[c] = coord(vertex.normal);
+    }
+    t.area = 0.5 * cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]);
+    all.push_back(t);
+  }
+  return all;
+}
+
+/// By the divergence theorem; negative for a shape turned inside out.
+double volume(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const Triangle& t : triangles(mesh)) sum += dot(t.corner[0], t.area) / 3.0;
+  return sum;
+}
+
+void expectClosedAndOutward(const Mesh& mesh, double expected_volume) {
+  ASSERT_EQ(mesh.indices.size() % 3, 0U);
+  Coord3 open;
+  for (const Triangle& t : triangles(mesh)) {
+    open += t.area;
+    for (const Coord3& n : t.normal) {
+      EXPECT_NEAR(norm(n), 1.0, 1e-6);
+      EXPECT_GT(dot(n, normalized(t.area)), 0.7);
+    }
+  }
+  EXPECT_LT(norm(open), 1e-5);
+  EXPECT_NEAR(volume(mesh), expected_volume, 1e-5 * expected_volume);
+}
+
+double polygonArea(int sides, double radius) { return 0.5 * sides * radius * radius * std::sin(2.0 * kPi / sides); }
+
+TEST(MeshBuilder, BoxHasTwoTrianglesAFaceWithTheFacesNormal) {
+  const Mesh mesh = buildMesh(*Box({2.0, 3.0, 4.0}).faces());
+  EXPECT_EQ(mesh.indices.size(), 12U * 3U);
+  EXPECT_EQ(mesh.vertices.size(), 6U * 4U);
+  expectClosedAndOutward(mesh, 24.0);
+  for (const Triangle& t : triangles(mesh))
+    for (const Coord3& n : t.normal) EXPECT_NEAR(dot(n, normalized(t.area)), 1.0, 1e-6);
+}
+
+TEST(MeshBuilder, CylindersAreClosedAndOutward) {
+  const double area = polygonArea(24, 0.5);
+  expectClosedAndOutward(buildMesh(*Cylinder(0.5, 2.0, 24).faces()), 2.0 * area);
+  Cylinder tapered;
+  tapered.setTapered(0.5, 0.25, 3.0, 24);
+  expectClosedAndOutward(buildMesh(*tapered.faces()), area * (1.0 + 0.25 + 0.5));
+  Cylinder cone;
+  cone.setTapered(0.5, 0.0, 3.0, 24);
+  expectClosedAndOutward(buildMesh(*cone.faces()), area);
+}
+
+TEST(MeshBuilder, CylinderIsSmoothAroundAndSharpAtItsCaps) {
+  constexpr int kSides = 24;
+  const Mesh mesh = buildMesh(*Cylinder(0.5, 1.0, kSides).faces());
+  EXPECT_EQ(mesh.indices.size() / 3, 4U * kSides - 4U);
+  EXPECT_EQ(mesh.vertices.size(), 4U * kSides);
+  for (const MeshVertex& v : mesh.vertices) {
+    const Coord3 n = coord(v.normal);
+    const Coord3 p = coord(v.position);
+    if (std::abs(n.y) > 0.5)
+      EXPECT_NEAR(n.y * p.y, 0.5, 1e-6);
+    else
+      EXPECT_NEAR(dot(n, normalized(Coord3{p.x, 0.0, p.z})), 1.0, 1e-6);
+  }
+}
+
+TEST(MeshBuilder, BallsNormalsPointAwayFromItsMiddle) {
+  constexpr int kSides = 16;
+  constexpr std::size_t kBands = kSides / 2;
+  const Mesh mesh = buildMesh(*Ellipsoid({0.5, 0.5, 0.5}, kSides).faces());
+  EXPECT_EQ(mesh.indices.size() / 3, 2U * kSides * (kBands - 1));
+  EXPECT_EQ(mesh.vertices.size(), kSides * (kBands - 1) + 2);
+  for (const MeshVertex& v : mesh.vertices)
+    EXPECT_GT(dot(coord(v.normal), normalized(coord(v.position))), std::cos(3.0 * kPi / 180.0));
+  const double ball = 4.0 / 3.0 * kPi * 0.125;
+  EXPECT_LT(volume(mesh), ball);
+  EXPECT_GT(volume(mesh), 0.9 * ball);
+}
+
+/// Two squares that meet along the x axis, their normals `angle` apart.
+FaceSet roof(double angle, double crease_angle) {
+  const double half = 0.5 * angle;
+  const double down = -std::sin(half);
+  const double out = std::cos(half);
+  FaceSet faces;
+  faces.vertices = {{0, 0, 0}, {1, 0, 0}, {0, down, out}, {1, down, out}, {0, down, -out}, {1, down, -out}};
+  faces.faces = {{0, 2, 3, 1}, {0, 1, 5, 4}};
+  faces.smooth = true;
+  faces.crease_angle = crease_angle;
+  return faces;
+}
+
+TEST(MeshBuilder, CreaseAngleDecidesWhichEdgesAreSharp) {
+  const double degree = kPi / 180.0;
+  const Mesh smooth = buildMesh(roof(60.0 * degree, 61.0 * degree));
+  ASSERT_EQ(smooth.vertices.size(), 6U);
+  EXPECT_NEAR(smooth.vertices[smooth.indices[0]].normal[1], 1.0, 1e-6) << "along the ridge, between both slopes";
+  const Mesh sharp = buildMesh(roof(60.0 * degree, 59.0 * degree));
+  ASSERT_EQ(sharp.vertices.size(), 8U);
+  for (const MeshVertex& v : sharp.vertices) EXPECT_NEAR(v.normal[1], std::cos(30.0 * degree), 1e-6);
+}
+
+TEST(MeshBuilder, NormalsDoNotDependOnHowFacesAreCutIntoTriangles) {
+  FaceSet cube = *Box().faces();
+  cube.smooth = true;
+  cube.crease_angle = 2.0;
+  const Mesh mesh = buildMesh(cube);
+  ASSERT_EQ(mesh.vertices.size(), 8U);
+  for (const MeshVertex& v : mesh.vertices)
+    EXPECT_NEAR(dot(coord(v.normal), normalized(coord(v.position))), 1.0, 1e-6);
+}
+
+TEST(MeshBuilder, KeepsItsPrecisionFarFromItsFrame) {
+  const Coord3 far{1e6, -2e6, 3e6};
+  FaceSet faces = *Box({0.001, 0.002, 0.003}).faces();
+  for (Coord3& v : faces.vertices) v += far;
+  const Mesh mesh = buildMesh(faces);
+  EXPECT_LT(norm(mesh.origin - far), 1e-9);
+  for (const MeshVertex& v : mesh.vertices) {
+    EXPECT_NEAR(std::abs(v.position[0]), 0.0005, 1e-9);
+    EXPECT_NEAR(std::abs(v.position[1]), 0.001, 1e-9);
+    EXPECT_NEAR(std::abs(v.position[2]), 0.0015, 1e-9);
+  }
+}
+
+TEST(MeshBuilder, LeavesOutWhatHasNoArea) {
+  FaceSet faces;
+  faces.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
+  faces.faces = {{}, {0}, {0, 1}, {0, 1, 1}, {0, 1, 3}, {0, 1, 2}};
+  for (const bool smooth : {false, true}) {
+    faces.smooth = smooth;
+    const Mesh mesh = buildMesh(faces);
+    ASSERT_EQ(mesh.indices.size(), 3U);
+    for (const MeshVertex& v : mesh.vertices) EXPECT_NEAR(v.normal[2], 1.0, 1e-6);
+  }
+  EXPECT_TRUE(buildMesh({}).indices.empty());
+}
+
+/// Shows what it is given, unchecked.
+class Raw : public VRObject {
+ public:
+  Raw(std::string name, FaceSet faces) : VRObject(std::move(name)), faces_(std::move(faces)) {}
+  const FaceSet* faces() const override { return &faces_; }
+
+ private:
+  FaceSet faces_;
+};
+
+TEST(CompiledScene, RefusesAnIndexWithoutVertexNamingObjectFaceAndVertex) {
+  FaceSet faces;
+  faces.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  faces.faces = {{0, 1, 2}, {0, 1, 3}};
+  VRObject root("world");
+  Raw broken("broken", faces);
+  root.addMember(&broken);
+  try {
+    const CompiledScene scene(root);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "world/broken: face 1 names vertex 3 of a shape that has 3");
+  }
+}
+
+TEST(CompiledScene, FollowsTheTree) {
+  VRObject root("world");
+  VRObject group("group");
+  Box box({1.0, 2.0, 3.0}, "box");
+  Ellipsoid ball({0.1, 0.1, 0.1}, 8, "ball");
+  root.addMember(&group);
+  group.addMember(&box);
+  box.addMember(&ball);
+  CompiledScene scene(root);
+  ASSERT_EQ(scene.drawables().size(), 2U) << "a group shows nothing itself";
+
+  group.setTransform(TransformMatrix::translation({5.0, 0.0, 0.0}) * TransformMatrix::rotationY(0.5));
+  box.setPosition(0.0, 1.0, 0.0);
+  ball.scale({2.0, 3.0, 4.0});
+  scene.update();
+  const auto& drawables = scene.drawables();
+  for (const VRObject* object : {static_cast<VRObject*>(&box), static_cast<VRObject*>(&ball)}) {
+    const Drawable& drawable = drawables[object == &box ? 0 : 1];
+    EXPECT_EQ(drawable.faces, object->faces());
+    EXPECT_TRUE(scene.worldTransform(drawable) == object->globalTransform()) << object->name();
+  }
+  EXPECT_EQ(drawables[0].index_count, 36U);
+  EXPECT_EQ(drawables[1].first_index, 36U);
+  EXPECT_EQ(scene.indices().size(), drawables[1].first_index + drawables[1].index_count);
+  for (std::uint32_t i = 0; i < drawables[1].index_count; ++i)
+    EXPECT_LT(drawables[1].first_vertex + scene.indices()[drawables[1].first_index + i], scene.vertices().size());
+}
+
+}  // namespace
+}  // namespace coherency

@@ -1,0 +1,90 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "common/math/FixedPoint.h"
+#include "motion_server/authority/Authority.h"
+
+namespace coherency {
+namespace {
+
+/// Pushes the stick ahead until told to end.
+class Pusher final : public Master {
+ public:
+  std::string name() const override { return "pusher"; }
+  std::optional<MasterReading> read(std::int64_t elapsed_ns, const WorldState& world) override {
+    seen = world;
+    if (ended) return std::nullopt;
+    MasterReading reading;
+    reading.device_time_us = elapsed_ns / 1000;
+    reading.si[index(Dof::HeadY)] = head_y;
+    reading.si[index(Dof::StickY)] = 1.0;
+    return reading;
+  }
+  WorldState seen;
+  bool ended = false;
+  double head_y = 1.2;
+};
+
+AuthorityConfig config() {
+  AuthorityConfig c;
+  c.start.x_nm = 5;
+  c.start.heading_units = unitsFromRadians(0.0);
+  return c;
+}
+
+TEST(Authority, NumbersSamplesAndStepsTheWorldFromItsStart) {
+  Pusher master;
+  Authority authority(config(), Rig{}, master);
+  const auto first = authority.sample(1'000'000, 42, 1);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->sample.sequence, 1u);
+  EXPECT_EQ(first->sample.server_time_ns, 42);
+  EXPECT_EQ(first->sample.device_time_us, 1000);
+  EXPECT_EQ(first->world.tick, 1u);
+  EXPECT_EQ(first->world.base.x_nm, 5);
+  EXPECT_EQ(master.seen.tick, 0u) << "the master saw the world before the step";
+  EXPECT_EQ(authority.sample(2'000'000, 43, 1)->sample.sequence, 2u);
+  EXPECT_EQ(master.seen, first->world);
+}
+
+RC_GTEST_PROP(Authority, TickIsElapsedPeriodsWhateverWasMissed, ()) {
+  Pusher missing_master, steady_master;
+  Authority missing(config(), Rig{}, missing_master);
+  Authority steady(config(), Rig{}, steady_master);
+  std::uint64_t tick = 0;
+  for (int i = 0; i < 20; ++i) {
+    const auto elapsed = *rc::gen::inRange<std::uint64_t>(1, 9);
+    tick += elapsed;
+    const auto result = missing.sample(static_cast<std::int64_t>(tick) * 1'000'000, 0, elapsed);
+    RC_ASSERT(result->world.tick == tick);
+    RC_ASSERT(result->sample.sequence == static_cast<std::uint64_t>(i + 1));
+  }
+  for (std::uint64_t k = 1; k <= tick; ++k) steady.sample(static_cast<std::int64_t>(k) * 1'000'000, 0, 1);
+  RC_ASSERT(missing.world() == steady.world());
+}
+
+TEST(Authority, SaysWhenTheMasterHasEndedAndChangesNothing) {
+  Pusher master;
+  Authority authority(config(), Rig{}, master);
+  authority.sample(1'000'000, 0, 1);
+  const WorldState before = authority.world();
+  master.ended = true;
+  EXPECT_FALSE(authority.sample(2'000'000, 0, 1));
+  EXPECT_EQ(authority.world(), before);
+}
+
+TEST(Authority, BadReadingsAreRefusedAndCounted) {
+  Pusher master;
+  Authority authority(config(), Rig{}, master);
+  authority.sample(1'000'000, 0, 1);
+  master.head_y = std::numeric_limits<double>::quiet_NaN();
+  const auto result = authority.sample(2'000'000, 0, 1);
+  EXPECT_FALSE(result->sample.isValid(Dof::HeadY));
+  EXPECT_NEAR(result->sample.si(Dof::HeadY), 1.2, 1e-6);
+  EXPECT_EQ(authority.refused()[index(Dof::HeadY)], 1u);
+}
+
+}  // namespace
+}  // namespace coherency
