@@ -1,5 +1,5 @@
-// One-way latency from a sample being taken to its being decoded in a client's process, beside a bare UDP pair in
-// the same run: two processes, loopback, a packet of each kind in turn on one schedule.
+// One-way latency from a sample being taken to its being decoded in a client's process, beside a bare UDP
+// pair in the same run: two processes, loopback, a packet of each kind in turn on one schedule.
 #include <array>
 #include <atomic>
 #include <cstdio>
@@ -8,17 +8,16 @@
 #include <thread>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <arpa/inet.h>
+#include <fmt/format.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
-#include "motion_server/sampling/DurationHistogram.h"
 #include "common/sync/Clock.h"
 #include "motion_server/broadcast/Broadcaster.h"
+#include "motion_server/sampling/DurationHistogram.h"
 #include "motion_server/sampling/SamplingThread.h"
 #include "render_client/receive/ServerLink.h"
 
@@ -71,8 +70,8 @@ int receive(std::uint16_t port, int bare_fd) {
   const auto ratio = [&](double q) {
     return static_cast<double>(decoded.quantile(q)) / static_cast<double>(bare.quantile(q));
   };
-  fmt::print("{}\n{}\n{}\n", line("bare UDP, blocking receiver", bare), line("sample taken to decoded", decoded),
-             line("sample taken to a waiting thread", woken));
+  fmt::print("{}\n{}\n{}\n", line("bare UDP, blocking receiver", bare),
+             line("sample taken to decoded", decoded), line("sample taken to a waiting thread", woken));
   fmt::print("ratio to bare UDP: {:.2f} at the median, {:.2f} at p99; lost {}\n", ratio(0.5), ratio(0.99),
              link.stats().lost);
   return 0;
@@ -88,7 +87,8 @@ int main(int argc, char** argv) {
   app.add_option("--rate", rate_hz, "samples a second, and as many bare packets between them [1000]");
   CLI11_PARSE(app, argc, argv);
 
-  // The socket is made before the fork and the server after it, so that each process has one end of each pair.
+  // The socket is made before the fork and the server after it, so that each process has one end of each
+  // pair.
   const int bare_receiver = udpSocket();
   std::array<int, 2> port_pipe{};
   if (pipe(port_pipe.data()) != 0) return 1;
@@ -124,7 +124,8 @@ int main(int argc, char** argv) {
       broadcaster.publish(world, sample);
     } else {
       datagram[0] = clock.nowNs();
-      sendto(bare_sender, datagram.data(), kBareBytes, 0, reinterpret_cast<const sockaddr*>(&bare_address), length);
+      sendto(bare_sender, datagram.data(), kBareBytes, 0, reinterpret_cast<const sockaddr*>(&bare_address),
+             length);
     }
     return tick.tick < last;
   });

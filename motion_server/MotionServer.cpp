@@ -4,6 +4,7 @@
 #include <cmath>
 #include <thread>
 
+#include "common/config/ConfigError.h"
 #include "common/sync/StopSignal.h"
 #include "motion_server/device/ReplayMaster.h"
 #include "motion_server/device/SimulatedMaster.h"
@@ -11,12 +12,28 @@
 namespace coherency {
 namespace {
 
-std::int64_t periodNs(const ServerConfig& config) { return std::llround(1e9 / config.rate_hz); }
+std::int64_t periodNs(const ServerConfig& config) {
+  return std::llround(1e9 / config.rate_hz);
+}
+
+/// What the configuration names and cannot be had is the configuration's fault.
+auto orConfigError(auto&& make) {
+  try {
+    return make();
+  } catch (const std::exception& e) {
+    throw ConfigError(e.what());
+  }
+}
+
+std::unique_ptr<Scene> sceneOf(const ServerConfig& config) {
+  return orConfigError([&] { return makeScene(config.scene, config.rig); });
+}
 
 std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scene) {
   if (config.master == "replay") {
     const ReplayOptions how{config.loop, config.seated ? HeadHeight::Seated : HeadHeight::Recorded};
-    return std::make_unique<ReplayMaster>(readRecording(config.recording), config.rig, how);
+    Recording recording = orConfigError([&] { return readRecording(config.recording); });
+    return std::make_unique<ReplayMaster>(std::move(recording), config.rig, how);
   }
   return std::make_unique<SimulatedMaster>(
       SimulatedMaster::Task{scene.targets(), scene.workplace(), scene.start()}, config.rig, config.seed);
@@ -57,7 +74,7 @@ Spread spreadUs(const DurationHistogram& durations, double minus_us = 0.0) {
 MotionServer::MotionServer(const ServerOptions& options, const Clock& clock)
     : options_(options),
       clock_(clock),
-      scene_(makeScene(options.config.scene, options.config.rig)),
+      scene_(sceneOf(options.config)),
       master_(makeMaster(options.config, *scene_)),
       authority_(authorityConfig(options.config, *scene_), options.config.rig, *master_),
       broadcaster_(broadcastConfig(options.config), sessionConfig(options.config), clock) {}

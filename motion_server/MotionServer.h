@@ -18,7 +18,8 @@ namespace coherency {
 /// A motion server as a whole: device -> sampling -> authority -> broadcast, once a sampling period.
 class MotionServer {
  public:
-  /// Opens the master and the ports. Throws std::runtime_error or std::invalid_argument with place and remedy.
+  /// Opens the master and the ports. Throws ConfigError where the scene or the recording cannot be had, and
+  /// std::runtime_error where a port cannot, with place and remedy.
   MotionServer(const ServerOptions& options, const Clock& clock);
 
   std::uint16_t port() const { return broadcaster_.port(); }

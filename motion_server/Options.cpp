@@ -17,9 +17,10 @@ void checkTogether(const ServerConfig& config, bool insecure) {
   if (config.master == "replay" && config.recording.empty())
     throw ConfigError("--master replay needs a recording: give --recording FILE or master.replay.recording");
   if (!insecure && !isLoopback(config.address))
-    throw ConfigError(fmt::format("listening on {} would send unencrypted motion over the network; "
-                                  "add --insecure to do so, or listen on 127.0.0.1",
-                                  config.address));
+    throw ConfigError(
+        fmt::format("listening on {} would send unencrypted motion over the network; "
+                    "add --insecure to do so, or listen on 127.0.0.1",
+                    config.address));
 }
 
 }  // namespace
@@ -35,7 +36,8 @@ ServerOptions parseServerOptions(int argc, char** argv, int& exit_code) {
   app.add_option("--recording", recording, "CSV of recorded motion; implies --master replay");
   app.add_option("--scene", scene, "overrides scene");
   app.add_option("--listen", listen, "ADDR:PORT for TCP and UDP [127.0.0.1:7430]; port 0 takes a free one");
-  app.add_flag("--insecure", insecure, "allow addresses other than loopback although the link is not encrypted");
+  app.add_flag("--insecure", insecure,
+               "allow addresses other than loopback although the link is not encrypted");
   app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C]")
       ->check(CLI::Range(0.0, 1e9));
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
@@ -45,7 +47,8 @@ ServerOptions parseServerOptions(int argc, char** argv, int& exit_code) {
     app.parse(argc, argv);
     if (options.list_devices) return options;
     if (config_file.empty())
-      throw ConfigError("--config FILE is missing; a good one to begin with is configs/servers/laboratory.toml");
+      throw ConfigError(
+          "--config FILE is missing; a good one to begin with is configs/servers/laboratory.toml");
     options.config = readServerConfig(config_file);
     if (!scene.empty()) options.config.scene = scene;
     if (!recording.empty()) options.config.recording = recording, options.config.master = "replay";

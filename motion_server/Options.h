@@ -14,8 +14,8 @@ struct ServerOptions {
   bool list_devices = false;
 };
 
-/// Parses arguments and reads the configuration they name. `exit_code` is set where the program should end at once:
-/// 0 after --help or --version, 2 for anything wrong, which has then been said on stderr.
+/// Parses arguments and reads the configuration they name. `exit_code` is set where the program should end at
+/// once: 0 after --help or --version, 2 for anything wrong, which has then been said on stderr.
 ServerOptions parseServerOptions(int argc, char** argv, int& exit_code);
 
 }  // namespace coherency

@@ -13,7 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json spread(const Spread& s) { return {{"p50", s.p50}, {"p99", s.p99}, {"max", s.max}}; }
+Json spread(const Spread& s) {
+  return {{"p50", s.p50}, {"p99", s.p99}, {"max", s.max}};
+}
 
 double rate(const ServerStats& stats) {
   return stats.duration_s > 0.0 ? static_cast<double>(stats.samples) / stats.duration_s : 0.0;
@@ -50,31 +52,34 @@ Json refusedByDof(const ServerStats& stats) {
 std::string statusLine(const ServerStats& stats) {
   const auto connected = std::count_if(stats.clients.begin(), stats.clients.end(),
                                        [](const ClientStatus& c) { return c.connected; });
-  return fmt::format("{}: {:.1f} s, {:.0f} Hz, jitter p99 {:.0f} us, {} clients, eyes agree on {} of {} frames",
-                     stats.master, stats.duration_s, rate(stats), stats.period_jitter_us.p99, connected,
-                     stats.stereo.frames_agreeing, stats.stereo.frames_compared);
+  return fmt::format(
+      "{}: {:.1f} s, {:.0f} Hz, jitter p99 {:.0f} us, {} clients, eyes agree on {} of {} frames",
+      stats.master, stats.duration_s, rate(stats), stats.period_jitter_us.p99, connected,
+      stats.stereo.frames_agreeing, stats.stereo.frames_compared);
 }
 
 void writeStatsJson(const std::string& path, const ServerStats& stats) {
   Json clients = Json::array();
   for (const ClientStatus& c : stats.clients) clients.push_back(client(c));
   const RejectCounts& r = stats.rejected;
-  const Json json = {
-      {"master", stats.master},
-      {"scene", stats.scene},
-      {"nominal_rate_hz", stats.nominal_rate_hz},
-      {"rate_hz", rate(stats)},
-      {"duration_s", stats.duration_s},
-      {"samples", stats.samples},
-      {"missed", stats.missed},
-      {"real_time", stats.real_time},
-      {"period_jitter_us", spread(stats.period_jitter_us)},
-      {"lateness_us", spread(stats.lateness_us)},
-      {"refused_values", refusedByDof(stats)},
-      {"clients", clients},
-      {"rejected",
-       {{"malformed", r.malformed}, {"foreign", r.foreign}, {"oversized", r.oversized}, {"version", r.version}}},
-      {"stereo", stereo(stats.stereo)}};
+  const Json json = {{"master", stats.master},
+                     {"scene", stats.scene},
+                     {"nominal_rate_hz", stats.nominal_rate_hz},
+                     {"rate_hz", rate(stats)},
+                     {"duration_s", stats.duration_s},
+                     {"samples", stats.samples},
+                     {"missed", stats.missed},
+                     {"real_time", stats.real_time},
+                     {"period_jitter_us", spread(stats.period_jitter_us)},
+                     {"lateness_us", spread(stats.lateness_us)},
+                     {"refused_values", refusedByDof(stats)},
+                     {"clients", clients},
+                     {"rejected",
+                      {{"malformed", r.malformed},
+                       {"foreign", r.foreign},
+                       {"oversized", r.oversized},
+                       {"version", r.version}}},
+                     {"stereo", stereo(stats.stereo)}};
   replaceFile(path, json.dump(2) + "\n");
 }
 

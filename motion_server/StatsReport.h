@@ -22,10 +22,10 @@ struct ServerStats {
   double nominal_rate_hz = 0.0;
   double duration_s = 0.0;
   std::uint64_t samples = 0;
-  std::uint64_t missed = 0;      ///< sampling periods that passed without a sample
-  bool real_time = false;        ///< the sampling thread has real-time scheduling
-  Spread period_jitter_us;       ///< how far the time between two samples was off the period
-  Spread lateness_us;            ///< of a sample after its moment on the schedule
+  std::uint64_t missed = 0;  ///< sampling periods that passed without a sample
+  bool real_time = false;    ///< the sampling thread has real-time scheduling
+  Spread period_jitter_us;   ///< how far the time between two samples was off the period
+  Spread lateness_us;        ///< of a sample after its moment on the schedule
   std::array<std::uint64_t, kDofCount> refused{};  ///< values the master gave that were out of range, by DOF
   std::vector<ClientStatus> clients;
   RejectCounts rejected;

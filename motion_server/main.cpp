@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <exception>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
-#include <fmt/format.h>
-
+#include "common/config/ConfigError.h"
 #include "common/sync/Clock.h"
 #include "motion_server/MotionServer.h"
 #include "motion_server/Options.h"
@@ -18,9 +18,9 @@ void serve(const coherency::ServerOptions& options) {
   const MonotonicClock clock;
   MotionServer server(options, clock);
   const bool ipv6 = options.config.address.find(':') != std::string::npos;
-  fmt::print(stderr, "listening on {}{}{}:{}, scene {}, {} at {} Hz\n", ipv6 ? "[" : "", options.config.address,
-             ipv6 ? "]" : "", server.port(), options.config.scene, server.stats().master,
-             options.config.rate_hz);
+  fmt::print(stderr, "listening on {}{}{}:{}  scene {}, {} at {} Hz\n", ipv6 ? "[" : "",
+             options.config.address, ipv6 ? "]" : "", server.port(), options.config.scene,
+             server.stats().master, options.config.rate_hz);
   const bool terminal = isatty(STDERR_FILENO) != 0;
   server.run([&](const ServerStats& stats) {
     if (!options.stats_json.empty()) writeStatsJson(options.stats_json, stats);
@@ -45,6 +45,6 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const std::exception& e) {
     fmt::print(stderr, "motion_server: {}\n", e.what());
-    return 1;
+    return dynamic_cast<const coherency::ConfigError*>(&e) != nullptr ? 2 : 1;
   }
 }

@@ -53,7 +53,8 @@ ClientOptions parseClientOptions(int argc, char** argv, int& exit_code) {
   app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C or Esc]")
       ->check(CLI::Range(0.0, 1e9));
   app.add_option("--frames", options.frames, "end after this many frames [0: no limit]");
-  app.add_option("--snapshot-dir", options.snapshot_dir, "write EYE.png here at the end, and snapshots by key");
+  app.add_option("--snapshot-dir", options.snapshot_dir,
+                 "write EYE.png here at the end, and snapshots by key");
   app.add_option("--snapshot-at", options.snapshot_at_s,
                  "seconds of session time at which EYE.png is taken [the last frame]");
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");

@@ -15,17 +15,17 @@ struct ClientOptions {
   bool window = false;
   bool fullscreen = false;
   int monitor = 0;
-  int width = 640;   ///< of one eye's picture, pixels
+  int width = 640;  ///< of one eye's picture, pixels
   int height = 480;
   int samples = 4;
   HmdProfile hmd;
   double fps = 62.5;
-  double duration_s = 0.0;    ///< 0: until a signal or Esc
-  std::uint64_t frames = 0;   ///< 0: no limit
-  std::string snapshot_dir;   ///< empty: current folder for snapshots by key, none at the end
+  double duration_s = 0.0;      ///< 0: until a signal or Esc
+  std::uint64_t frames = 0;     ///< 0: no limit
+  std::string snapshot_dir;     ///< empty: current folder for snapshots by key, none at the end
   double snapshot_at_s = -1.0;  ///< session time of the picture; negative: the last one drawn
   std::string stats_json;
-  double wait_s = 10.0;       ///< for the server, at the start
+  double wait_s = 10.0;  ///< for the server, at the start
 };
 
 /// As parseServerOptions(): `exit_code` is set where the program should end at once.

@@ -12,7 +12,7 @@
 namespace coherency {
 namespace {
 
-constexpr std::int64_t kPatienceNs = 50'000'000;  // without motion the last pose is shown again at 20 Hz
+constexpr std::int64_t kPatienceNs = 50'000'000;  // and a frame: without motion the last pose is shown again
 constexpr std::int64_t kStatusNs = 500'000'000;
 constexpr std::int64_t kHintNs = 8'000'000'000;
 
@@ -26,7 +26,8 @@ std::unique_ptr<Display> makeDisplay(const ClientOptions& options) {
   return options.window ? makeWindowDisplay(config) : makeHeadlessDisplay(config);
 }
 
-std::vector<std::pair<std::string, std::string>> pictureText(const Replica& replica, const ClientOptions& options) {
+std::vector<std::pair<std::string, std::string>> pictureText(const Replica& replica,
+                                                             const ClientOptions& options) {
   std::string dofs;
   for (const auto units : replica.sample().units) dofs += fmt::format("{}{}", dofs.empty() ? "" : " ", units);
   const BasePose& base = replica.world().base;
@@ -48,9 +49,10 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
       started_(now()),
       link_({options.server.host, options.server.port, options.eye}, clock),
       display_(makeDisplay(options)),
-      eyes_(eyeChoice(options.eye)),
-      timed_snapshot_(!options.snapshot_dir.empty() && options.snapshot_at_s >= 0.0) {
+      eyes_(eyeChoice(options.eye)) {
   buildWorld(link_.waitForSession(static_cast<std::int64_t>(options.wait_s * 1e9)));
+  if (!options.snapshot_dir.empty() && options.snapshot_at_s >= 0.0)
+    snapshot_tick_ = gridTick(options.snapshot_at_s);
 }
 
 void RenderClient::buildWorld(const SessionConfig& session) {
@@ -75,7 +77,15 @@ void RenderClient::followSession() {
   }
 }
 
-/// The pose of the next frame on the grid; where none comes in time, the newest there is.
+/// First tick of the grid that is not before a time of the session.
+std::uint64_t RenderClient::gridTick(double session_s) const {
+  const double frame_s =
+      static_cast<double>(replica_->session().period_ns) * 1e-9 * static_cast<double>(frame_ticks_);
+  return static_cast<std::uint64_t>(std::ceil(session_s / frame_s)) * frame_ticks_;
+}
+
+/// The pose of the next frame on the grid; where none comes in time, the newest there is. A picture asked for
+/// is of exactly its tick, however slow this machine is, so that both eyes' pictures are of one moment.
 std::optional<ReceivedPacket> RenderClient::awaitPose() const {
   const auto latestOnGrid = [&](const ReceivedPacket& newest) {
     return newest.packet.world.tick / frame_ticks_ * frame_ticks_;
@@ -83,11 +93,13 @@ std::optional<ReceivedPacket> RenderClient::awaitPose() const {
   auto newest = link_.newest();
   if (!newest || latestOnGrid(*newest) <= drawn_tick_) {
     const std::uint64_t wanted = newest ? drawn_tick_ / frame_ticks_ * frame_ticks_ + frame_ticks_ : 0;
-    link_.waitForTick(wanted, kPatienceNs);
+    const auto frame_ns = static_cast<std::int64_t>(frame_ticks_) * replica_->session().period_ns;
+    link_.waitForTick(wanted, frame_ns + kPatienceNs);
     newest = link_.newest();
     if (!newest) return std::nullopt;
   }
-  const auto on_grid = link_.atTick(latestOnGrid(*newest));
+  const bool snapshot = snapshot_tick_ && newest->packet.world.tick >= *snapshot_tick_;
+  const auto on_grid = link_.atTick(snapshot ? *snapshot_tick_ : latestOnGrid(*newest));
   return on_grid ? on_grid : newest;
 }
 
@@ -141,10 +153,9 @@ void RenderClient::countFrame(const ReceivedPacket& pose, ClientTime begun, Clie
 
 /// Before any text is drawn over the picture.
 void RenderClient::takeSnapshots() {
-  const auto period_s = static_cast<double>(replica_->session().period_ns) * 1e-9;
-  if (timed_snapshot_ && static_cast<double>(replica_->world().tick) * period_s >= options_.snapshot_at_s) {
+  if (snapshot_tick_ && replica_->world().tick >= *snapshot_tick_) {
     writeSnapshot(options_.eye);
-    timed_snapshot_ = false;
+    snapshot_tick_.reset();
   }
   if (snapshot_due_) writeSnapshot(fmt::format("{}_{:03}", options_.eye, ++snapshots_));
   snapshot_due_ = false;
@@ -156,7 +167,8 @@ void RenderClient::showText() {
   if (overlay_) text = overlay_text_;
   if (silent_ns > 500'000'000)
     text = fmt::format("no signal from {}:{} for {:.1f} s: holding the last pose\n", options_.server.host,
-                       options_.server.port, static_cast<double>(silent_ns) / 1e9) + text;
+                       options_.server.port, static_cast<double>(silent_ns) / 1e9) +
+           text;
   else if (!overlay_ && display_->hasWindow() && now() - started_ < kHintNs)
     text = "F1 statistics   F2 snapshot   Esc quit";
   if (!text.empty()) renderer_->drawText(views_, text);

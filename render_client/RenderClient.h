@@ -20,8 +20,8 @@ namespace coherency {
 
 /// A render client as a whole: receive -> replica -> draw -> present, frame by frame.
 ///
-/// Frames are drawn on a grid of ticks: every eye draws the samples whose tick is a multiple of the frame's length, so that the
-/// eyes of one session draw the same moments without talking to each other.
+/// Frames are drawn on a grid of ticks: every eye draws the samples whose tick is a multiple of the frame's
+/// length, so that the eyes of one session draw the same moments without talking to each other.
 class RenderClient {
  public:
   /// Opens the display and waits for the server. Throws std::runtime_error with place and remedy.
@@ -37,6 +37,7 @@ class RenderClient {
   void buildWorld(const SessionConfig& session);
   void followSession();
   std::optional<ReceivedPacket> awaitPose() const;
+  std::uint64_t gridTick(double session_s) const;
   void drawFrame(const ReceivedPacket& pose);
   void countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented);
   void takeSnapshots();
@@ -52,11 +53,11 @@ class RenderClient {
   ServerLink link_;
   std::unique_ptr<Display> display_;
   EyeChoice eyes_;
-  bool timed_snapshot_;  ///< still to be taken
+  std::optional<std::uint64_t> snapshot_tick_;  ///< still to be drawn and written
   std::optional<Replica> replica_;
   std::optional<Renderer> renderer_;
   std::vector<EyeView> views_;
-  std::uint64_t frame_ticks_ = 1;      ///< length of a frame on the grid
+  std::uint64_t frame_ticks_ = 1;  ///< length of a frame on the grid
   std::uint64_t drawn_tick_ = 0;
   ClientTime newest_arrived_;
   std::optional<ClientTime> first_frame_;

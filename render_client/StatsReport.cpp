@@ -40,26 +40,25 @@ std::string overlayText(const ClientStats& stats) {
 
 void writeStatsJson(const std::string& path, const ClientStats& stats) {
   const LinkStats& link = stats.link;
-  nlohmann::ordered_json json = {
-      {"eye", stats.eye},
-      {"scene", stats.scene},
-      {"size", {stats.width, stats.height}},
-      {"samples", stats.samples},
-      {"frames", stats.frames},
-      {"fps", stats.fps},
-      {"first_frame_ms", stats.first_frame_ms},
-      {"frame_ms", quantiles(stats.frame_ms)},
-      {"motion_to_present_ms", quantiles(stats.motion_to_present_ms)},
-      {"motion_age_ms", stats.motion_age_ms},
-      {"connections", link.connections},
-      {"packets",
-       {{"received", link.received},
-        {"lost", link.lost},
-        {"recovered", link.recovered},
-        {"reordered", link.reordered},
-        {"rejected", link.rejected}}},
-      {"replica", {{"hash_mismatches", stats.hash_mismatches}}},
-      {"renderer", stats.renderer}};
+  nlohmann::ordered_json json = {{"eye", stats.eye},
+                                 {"scene", stats.scene},
+                                 {"size", {stats.width, stats.height}},
+                                 {"samples", stats.samples},
+                                 {"frames", stats.frames},
+                                 {"fps", stats.fps},
+                                 {"first_frame_ms", stats.first_frame_ms},
+                                 {"frame_ms", quantiles(stats.frame_ms)},
+                                 {"motion_to_present_ms", quantiles(stats.motion_to_present_ms)},
+                                 {"motion_age_ms", stats.motion_age_ms},
+                                 {"connections", link.connections},
+                                 {"packets",
+                                  {{"received", link.received},
+                                   {"lost", link.lost},
+                                   {"recovered", link.recovered},
+                                   {"reordered", link.reordered},
+                                   {"rejected", link.rejected}}},
+                                 {"replica", {{"hash_mismatches", stats.hash_mismatches}}},
+                                 {"renderer", stats.renderer}};
   if (link.clock_known)
     json["clock"] = {{"offset_us", static_cast<double>(link.clock_offset_ns) / 1e3},
                      {"bound_us", static_cast<double>(link.clock_bound_ns) / 1e3}};

@@ -1,9 +1,8 @@
 #include <cstdio>
 #include <exception>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "common/sync/Clock.h"
 #include "render_client/Options.h"

@@ -40,8 +40,8 @@ HmdProfile readHmdProfile(const std::string& path) {
 FieldOfView monoView(const HmdProfile& profile) {
   const FieldOfView& l = profile.left;
   const FieldOfView& r = profile.right;
-  return {(l.tan_left + r.tan_left) / 2.0, (l.tan_right + r.tan_right) / 2.0,
-          (l.tan_down + r.tan_down) / 2.0, (l.tan_up + r.tan_up) / 2.0};
+  return {(l.tan_left + r.tan_left) / 2.0, (l.tan_right + r.tan_right) / 2.0, (l.tan_down + r.tan_down) / 2.0,
+          (l.tan_up + r.tan_up) / 2.0};
 }
 
 FieldOfView fitToPicture(const FieldOfView& view, int width, int height) {

@@ -6,8 +6,9 @@
 
 namespace coherency {
 
-/// What a display shows each eye (configs/hmds/): the picture's field of view must equal the display's, or sizes and
-/// distances are not what they are (paper, section IV.A.2). The defaults are configs/hmds/generic.toml's.
+/// What a display shows each eye (configs/hmds/): the picture's field of view must equal the display's, or
+/// sizes and distances are not what they are (paper, section IV.A.2). The defaults are
+/// configs/hmds/generic.toml's.
 struct HmdProfile {
   std::string name = "generic";
   std::string source = "a generic display of 96 x 96 degrees an eye; no product";
@@ -24,8 +25,8 @@ HmdProfile readHmdProfile(const std::string& path);
 /// The view between the eyes: the mean of both.
 FieldOfView monoView(const HmdProfile& profile);
 
-/// The same horizontal view on a picture of width x height square pixels: above and below are widened or cut in
-/// proportion. What an image of another shape than the panel's shows; sizes stay true.
+/// The same horizontal view on a picture of width x height square pixels: above and below are widened or cut
+/// in proportion. What an image of another shape than the panel's shows; sizes stay true.
 FieldOfView fitToPicture(const FieldOfView& view, int width, int height);
 
 }  // namespace coherency

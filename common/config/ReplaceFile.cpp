@@ -18,8 +18,9 @@ void replaceFile(const std::string& path, const std::string& text) {
   if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
     const int why = errno;
     std::remove(beside.c_str());
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}; name a file in a folder that exists and can be written",
-                                         path, std::strerror(why)));
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written: {}; name a file in a folder that exists and can be written", path,
+                    std::strerror(why)));
   }
 }
 

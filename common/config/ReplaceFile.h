@@ -4,8 +4,8 @@
 
 namespace coherency {
 
-/// Writes `text` beside `path` and renames it into place, so that a reader sees the old file or the new one and nothing
-/// between. Throws std::runtime_error naming the file, the reason and the remedy.
+/// Writes `text` beside `path` and renames it into place, so that a reader sees the old file or the new one
+/// and nothing between. Throws std::runtime_error naming the file, the reason and the remedy.
 void replaceFile(const std::string& path, const std::string& text);
 
 }  // namespace coherency

@@ -17,8 +17,8 @@ void readMaster(TomlTable& root, const std::string& path, ServerConfig& config) 
   TomlTable master = root.table("master");
   config.master = master.oneOf("kind", config.master, {"simulated", "replay"});
   TomlTable simulated = master.table("simulated");
-  config.seed = static_cast<std::uint64_t>(
-      simulated.integer("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
+  config.seed =
+      static_cast<std::uint64_t>(simulated.integer("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
   simulated.finish();
   TomlTable replay = master.table("replay");
   config.recording = besideFile(path, replay.text("recording", ""));

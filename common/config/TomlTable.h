@@ -15,12 +15,13 @@ namespace coherency {
 /// Parses a TOML file; throws ConfigError for a file that is missing, unreadable or malformed.
 toml::table parseTomlFile(const std::string& path);
 
-/// Reads one table of a file key by key; every getter checks type and range and throws ConfigError with file, line and
-/// column. A key that is absent gives the fallback. finish() refuses keys nobody asked for, so that a misspelt one is
-/// never silently ignored. Internal to common/config.
+/// Reads one table of a file key by key; every getter checks type and range and throws ConfigError with file,
+/// line and column. A key that is absent gives the fallback. finish() refuses keys nobody asked for, so that
+/// a misspelt one is never silently ignored. Internal to common/config.
 class TomlTable {
  public:
-  /// `table` may be null (the whole table is absent: fallbacks hold). `name` is its dotted name, empty for the root.
+  /// `table` may be null (the whole table is absent: fallbacks hold). `name` is its dotted name, empty for
+  /// the root.
   TomlTable(const toml::table* table, std::string file, std::string name);
 
   double number(std::string_view key, double fallback, double min, double max);

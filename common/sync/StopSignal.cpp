@@ -21,6 +21,8 @@ void catchStopSignals() {
   std::signal(SIGTERM, onSignal);
 }
 
-bool stopRequested() { return requested.load(); }
+bool stopRequested() {
+  return requested.load();
+}
 
 }  // namespace coherency

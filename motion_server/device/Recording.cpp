@@ -172,7 +172,7 @@ Recording parseRecording(std::istream& in, const std::string& name) {
   Place place{name, 0};
   std::string line;
   if (!nextLine(in, line, place.line))
-    place.fail(1, "the file is empty; its first line must be " + kRecordingHeader);
+    Place{name, 1}.fail(1, "the file is empty; its first line must be " + kRecordingHeader);
   checkHeader(line, place);
   double first_time = 0.0;
   while (nextLine(in, line, place.line)) {

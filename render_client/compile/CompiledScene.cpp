@@ -1,8 +1,9 @@
 #include "render_client/compile/CompiledScene.h"
 
+#include <stdexcept>
+
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
-#include <stdexcept>
 
 namespace coherency {
 namespace {
@@ -37,9 +38,9 @@ void CompiledScene::addDrawable(const VRObject& object, std::uint32_t node) {
     throw std::invalid_argument(object.path() + ": " + error.what());
   }
   if (mesh.indices.empty()) return;
-  drawables_.push_back({object.faces(), node, mesh.origin, halfExtent(mesh), static_cast<std::uint32_t>(indices_.size()),
-                        static_cast<std::uint32_t>(mesh.indices.size()),
-                        static_cast<std::uint32_t>(vertices_.size())});
+  drawables_.push_back(
+      {object.faces(), node, mesh.origin, halfExtent(mesh), static_cast<std::uint32_t>(indices_.size()),
+       static_cast<std::uint32_t>(mesh.indices.size()), static_cast<std::uint32_t>(vertices_.size())});
   vertices_.insert(vertices_.end(), mesh.vertices.begin(), mesh.vertices.end());
   indices_.insert(indices_.end(), mesh.indices.begin(), mesh.indices.end());
 }
@@ -47,7 +48,8 @@ void CompiledScene::addDrawable(const VRObject& object, std::uint32_t node) {
 void CompiledScene::update() {
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const TransformMatrix& t_parent_object = nodes_[n].object->transform();
-    t_world_[n] = nodes_[n].parent == kNoParent ? t_parent_object : t_world_[nodes_[n].parent] * t_parent_object;
+    t_world_[n] =
+        nodes_[n].parent == kNoParent ? t_parent_object : t_world_[nodes_[n].parent] * t_parent_object;
   }
 }
 

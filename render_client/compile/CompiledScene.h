@@ -19,9 +19,9 @@ struct Drawable {
   std::uint32_t first_vertex;
 };
 
-/// A tree of objects made ready for drawing: all shapes as triangles in one buffer, and the tree as a list with parents
-/// first, so that a frame neither walks pointers recursively nor allocates. The tree must outlive this and keep its
-/// structure; its transforms may change.
+/// A tree of objects made ready for drawing: all shapes as triangles in one buffer, and the tree as a list
+/// with parents first, so that a frame neither walks pointers recursively nor allocates. The tree must
+/// outlive this and keep its structure; its transforms may change.
 class CompiledScene {
  public:
   /// Throws what buildMesh() throws, with the object's path.
@@ -34,9 +34,7 @@ class CompiledScene {
   /// Reads all transforms anew.
   void update();
   /// T_world_object as of the last update().
-  const TransformMatrix& worldTransform(const Drawable& drawable) const {
-    return t_world_[drawable.node];
-  }
+  const TransformMatrix& worldTransform(const Drawable& drawable) const { return t_world_[drawable.node]; }
 
  private:
   static constexpr std::uint32_t kNoParent = UINT32_MAX;

@@ -124,6 +124,8 @@ class Builder {
 
 }  // namespace
 
-Mesh buildMesh(const FaceSet& faces) { return Builder(faces).build(); }
+Mesh buildMesh(const FaceSet& faces) {
+  return Builder(faces).build();
+}
 
 }  // namespace coherency

@@ -10,7 +10,9 @@ DrawCommands::DrawCommands(std::size_t capacity) : commands_(std::max<std::size_
                        GL_DYNAMIC_STORAGE_BIT);
 }
 
-void DrawCommands::clear() { upright_ = mirrored_ = 0; }
+void DrawCommands::clear() {
+  upright_ = mirrored_ = 0;
+}
 
 void DrawCommands::add(const Drawable& drawable, std::size_t number, bool mirrored) {
   assert(upright_ + mirrored_ < commands_.size());

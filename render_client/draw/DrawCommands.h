@@ -7,8 +7,8 @@
 
 namespace coherency {
 
-/// What one frame draws, as the GPU reads it: one call a view, and one more where mirrored objects, whose triangles turn
-/// the other way round, are among them.
+/// What one frame draws, as the GPU reads it: one call a view, and one more where mirrored objects, whose
+/// triangles turn the other way round, are among them.
 class DrawCommands {
  public:
   explicit DrawCommands(std::size_t capacity);

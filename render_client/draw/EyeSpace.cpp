@@ -8,8 +8,7 @@ namespace coherency {
 glm::dmat4 eyeFromMesh(const TransformMatrix& t_world_eye, const TransformMatrix& t_world_object,
                        const Coord3& mesh_origin) {
   const glm::dmat3 r_eye_world = glm::transpose(glm::dmat3(t_world_eye.glm()));
-  const Coord3 offset =
-      t_world_object.origin() - t_world_eye.origin() + t_world_object.vector(mesh_origin);
+  const Coord3 offset = t_world_object.origin() - t_world_eye.origin() + t_world_object.vector(mesh_origin);
   glm::dmat4 result(r_eye_world * glm::dmat3(t_world_object.glm()));
   result[3] = glm::dvec4(r_eye_world * offset.glm(), 1.0);
   return result;

@@ -5,8 +5,8 @@
 
 namespace coherency {
 
-/// One eye's picture: where the eye is, what it takes in, and where on the target it goes (pixels, from the bottom left
-/// corner as OpenGL has it).
+/// One eye's picture: where the eye is, what it takes in, and where on the target it goes (pixels, from the
+/// bottom left corner as OpenGL has it).
 struct EyeView {
   TransformMatrix t_world_eye;  ///< rigid; -z ahead
   FieldOfView view;

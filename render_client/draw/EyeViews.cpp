@@ -6,8 +6,7 @@ namespace coherency {
 namespace {
 
 EyeView eyeView(const Scene& scene, const HmdProfile& hmd, Eye eye, int width, int height) {
-  const FieldOfView view =
-      eye == Eye::Left ? hmd.left : eye == Eye::Right ? hmd.right : monoView(hmd);
+  const FieldOfView view = eye == Eye::Left ? hmd.left : eye == Eye::Right ? hmd.right : monoView(hmd);
   EyeView result;
   result.t_world_eye = scene.human().eye(eye).globalTransform();
   result.view = fitToPicture(view, width, height);

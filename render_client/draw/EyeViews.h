@@ -13,10 +13,12 @@ namespace coherency {
 enum class EyeChoice : std::uint8_t { Left, Right, Both, Mono };
 /// "left", "right", "both" or "mono"; anything else is a mistake of the caller's (asserted).
 EyeChoice eyeChoice(std::string_view name);
-constexpr int eyeCount(EyeChoice choice) { return choice == EyeChoice::Both ? 2 : 1; }
+constexpr int eyeCount(EyeChoice choice) {
+  return choice == EyeChoice::Both ? 2 : 1;
+}
 
-/// The views of the virtual human's eyes as the scene now stands (eq. 5), each `width` x `height` pixels; both eyes stand
-/// side by side, the left one on the left. `views` is refilled, not reallocated.
+/// The views of the virtual human's eyes as the scene now stands (eq. 5), each `width` x `height` pixels;
+/// both eyes stand side by side, the left one on the left. `views` is refilled, not reallocated.
 void eyeViews(const Scene& scene, const HmdProfile& hmd, EyeChoice choice, int width, int height,
               std::vector<EyeView>& views);
 

@@ -8,14 +8,17 @@
 namespace coherency {
 namespace {
 
-std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
 
 void checkSize(int width, int height) {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
   if (width < 1 || height < 1 || width > limit || height > limit)
-    throw std::runtime_error("a picture of " + sizeText(width, height) + " pixels cannot be made; width and height " +
-                             "must be 1 to " + std::to_string(limit) + " with this driver");
+    throw std::runtime_error("a picture of " + sizeText(width, height) +
+                             " pixels cannot be made; width and height " + "must be 1 to " +
+                             std::to_string(limit) + " with this driver");
 }
 
 /// The count nearest to `wanted` that colour and depth both have; 0 for none.
@@ -74,8 +77,8 @@ void RenderTarget::copyToWindow(int width, int height) const {
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_FRAMEBUFFER_SRGB);
   const bool same = width == width_ && height == height_;
-  glBlitNamedFramebuffer(resolved_.frame.name(), 0, 0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
-                         same ? GL_NEAREST : GL_LINEAR);
+  glBlitNamedFramebuffer(resolved_.frame.name(), 0, 0, 0, width_, height_, 0, 0, width, height,
+                         GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
 }
 
 Image RenderTarget::read() const {

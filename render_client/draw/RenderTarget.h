@@ -7,7 +7,8 @@
 
 namespace coherency {
 
-/// Off-screen picture: sRGB colour and 32-bit float depth, several samples a pixel, and the same resolved to one.
+/// Off-screen picture: sRGB colour and 32-bit float depth, several samples a pixel, and the same resolved to
+/// one.
 class RenderTarget {
  public:
   /// Throws std::runtime_error naming the sizes there are when it cannot be made.

@@ -1,10 +1,10 @@
 #include "render_client/draw/Renderer.h"
 
-#include <epoxy/gl.h>
-
 #include <cassert>
 #include <optional>
 #include <stdexcept>
+
+#include <epoxy/gl.h>
 
 #include "render_client/compile/CompiledScene.h"
 #include "render_client/draw/RenderTarget.h"
@@ -26,7 +26,8 @@ struct VersionCheck {
   VersionCheck() {
     if (epoxy_is_desktop_gl() && epoxy_gl_version() >= 45) return;
     throw std::runtime_error("OpenGL 4.5 is needed, but the driver has '" + glText(GL_VERSION) + "' (" +
-                             glText(GL_RENDERER) + "); update it, or use Mesa's llvmpipe (LIBGL_ALWAYS_SOFTWARE=1)");
+                             glText(GL_RENDERER) +
+                             "); update it, or use Mesa's llvmpipe (LIBGL_ALWAYS_SOFTWARE=1)");
   }
 };
 
@@ -59,15 +60,16 @@ struct Renderer::Gl {
         settings(settings_),
         compiled(scene_),
         buffers(compiled),
-        pass(compiled.drawables().size(), scene_.lights().size(), settings_.shadows && !scene_.lights().empty()),
-        target(std::in_place, width, height, settings_.samples) {
+        pass(compiled.drawables().size(), scene_.lights().size(),
+             settings_.shadows && !scene_.lights().empty()),
+        target(width, height, settings_.samples) {
     if (settings.shadows && !scene.lights().empty())
       shadow.emplace(settings.shadow_resolution, compiled.drawables().size());
   }
 
   void resolve() {
     if (resolved) return;
-    target->resolve();
+    target.resolve();
     resolved = true;
   }
 
@@ -78,7 +80,7 @@ struct Renderer::Gl {
   SceneBuffers buffers;
   ViewPass pass;
   TextOverlay text;
-  std::optional<RenderTarget> target;
+  RenderTarget target;
   std::optional<ShadowMap> shadow;
   bool resolved = false;
 };
@@ -96,7 +98,7 @@ void Renderer::draw(std::span<const EyeView> views) {
     gl_->shadow->render(gl_->compiled, gl_->buffers, gl_->scene.lights().front());
     shadow = &*gl_->shadow;
   }
-  gl_->target->bind();
+  gl_->target.bind();
   const Coord3 sky = gl_->scene.skyLight();
   glClearColor(tone(sky.x), tone(sky.y), tone(sky.z), 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -109,7 +111,7 @@ void Renderer::draw(std::span<const EyeView> views) {
 }
 
 void Renderer::drawText(std::span<const EyeView> views, const std::string& text) {
-  gl_->target->bind();
+  gl_->target.bind();
   gl_->text.draw(views, text);
   gl_->resolved = false;
   assert(glGetError() == GL_NO_ERROR);
@@ -117,23 +119,31 @@ void Renderer::drawText(std::span<const EyeView> views, const std::string& text)
 
 void Renderer::present(int width, int height) {
   gl_->resolve();
-  gl_->target->copyToWindow(width, height);
+  gl_->target.copyToWindow(width, height);
 }
 
 Image Renderer::readImage() {
   gl_->resolve();
-  return gl_->target->read();
+  return gl_->target.read();
 }
 
 void Renderer::resize(int width, int height) {
-  if (width == gl_->target->width() && height == gl_->target->height()) return;
-  gl_->target.emplace(width, height, gl_->settings.samples);
+  if (width == gl_->target.width() && height == gl_->target.height()) return;
+  gl_->target = RenderTarget(width, height, gl_->settings.samples);  // the old one stays where this throws
   gl_->resolved = false;
 }
 
-int Renderer::samples() const { return gl_->target->samples(); }
-std::string Renderer::rendererName() const { return glText(GL_RENDERER); }
-std::size_t Renderer::triangleCount() const { return gl_->compiled.indices().size() / 3; }
-std::size_t Renderer::objectCount() const { return gl_->compiled.drawables().size(); }
+int Renderer::samples() const {
+  return gl_->target.samples();
+}
+std::string Renderer::rendererName() const {
+  return glText(GL_RENDERER);
+}
+std::size_t Renderer::triangleCount() const {
+  return gl_->compiled.indices().size() / 3;
+}
+std::size_t Renderer::objectCount() const {
+  return gl_->compiled.drawables().size();
+}
 
 }  // namespace coherency

@@ -11,14 +11,15 @@
 
 namespace coherency {
 
-/// Draws a scene with OpenGL 4.5 core. Poses are composed in double relative to the eye and cast to float last, depth is
-/// reversed with the far plane at infinity (design, "Numerics" 1 and 5). A context must be current, and stay the
-/// same, at every call. The scene's shapes are uploaded once at construction; afterwards the tree keeps its structure, and
-/// only transforms, materials and the lights' places and colours may change. Where nothing is drawn one sees the sky light.
+/// Draws a scene with OpenGL 4.5 core. Poses are composed in double relative to the eye and cast to float
+/// last, depth is reversed with the far plane at infinity (design, "Numerics" 1 and 5). A context must be
+/// current, and stay the same, at every call. The scene's shapes are uploaded once at construction;
+/// afterwards the tree keeps its structure, and only transforms, materials and the lights' places and colours
+/// may change. Where nothing is drawn one sees the sky light.
 class Renderer {
  public:
-  /// Throws std::runtime_error when the context is older than 4.5 (naming what it is), a shader does not compile, or
-  /// the target cannot be made. `scene` must outlive this.
+  /// Throws std::runtime_error when the context is older than 4.5 (naming what it is), a shader does not
+  /// compile, or the target cannot be made. `scene` must outlive this.
   Renderer(const Scene& scene, int width, int height, const RendererSettings& settings = {});
   ~Renderer();
   Renderer(const Renderer&) = delete;

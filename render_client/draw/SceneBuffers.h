@@ -5,8 +5,9 @@
 
 namespace coherency {
 
-/// A compiled scene's triangles on the GPU, uploaded once. Attribute 0 is the position, 1 the normal, 2 the drawable's
-/// number, which each draw command chooses by its base instance (OpenGL 4.5 has no gl_BaseInstance).
+/// A compiled scene's triangles on the GPU, uploaded once. Attribute 0 is the position, 1 the normal, 2 the
+/// drawable's number, which each draw command chooses by its base instance (OpenGL 4.5 has no
+/// gl_BaseInstance).
 class SceneBuffers {
  public:
   explicit SceneBuffers(const CompiledScene& scene);

@@ -46,8 +46,8 @@ ShadowMap::ShadowMap(int resolution, std::size_t drawable_count)
   glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, texture, 0);
   glNamedFramebufferDrawBuffer(frame_.name(), GL_NONE);
   glNamedFramebufferReadBuffer(frame_.name(), GL_NONE);
-  glNamedBufferStorage(matrices_buffer_.name(), static_cast<GLsizeiptr>(matrices_.size() * sizeof(glm::mat4)), nullptr,
-                       GL_DYNAMIC_STORAGE_BIT);
+  glNamedBufferStorage(matrices_buffer_.name(), static_cast<GLsizeiptr>(matrices_.size() * sizeof(glm::mat4)),
+                       nullptr, GL_DYNAMIC_STORAGE_BIT);
 }
 
 void ShadowMap::fill(const CompiledScene& scene) {
@@ -62,13 +62,13 @@ void ShadowMap::fill(const CompiledScene& scene) {
     commands_.add(drawable, i, hand < 0.0);
   }
   commands_.upload();
-  glNamedBufferSubData(matrices_buffer_.name(), 0, static_cast<GLsizeiptr>(matrices_.size() * sizeof(glm::mat4)),
-                       matrices_.data());
+  glNamedBufferSubData(matrices_buffer_.name(), 0,
+                       static_cast<GLsizeiptr>(matrices_.size() * sizeof(glm::mat4)), matrices_.data());
 }
 
 void ShadowMap::render(const CompiledScene& scene, const SceneBuffers& buffers, const Light& light) {
-  t_world_light_ = TransformMatrix::translation(light.position) *
-                   TransformMatrix::rotationX(-0.5 * std::numbers::pi);
+  t_world_light_ =
+      TransformMatrix::translation(light.position) * TransformMatrix::rotationX(-0.5 * std::numbers::pi);
   fill(scene);
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glViewport(0, 0, resolution_, resolution_);
@@ -83,6 +83,8 @@ glm::mat4 ShadowMap::clipFromEye(const TransformMatrix& t_world_eye) const {
   return glm::mat4(projection_.glm() * eyeFromMesh(t_world_light_, t_world_eye, {}));
 }
 
-float ShadowMap::texelAtOneMetre() const { return static_cast<float>(2.0 * kTangent / resolution_); }
+float ShadowMap::texelAtOneMetre() const {
+  return static_cast<float>(2.0 * kTangent / resolution_);
+}
 
 }  // namespace coherency

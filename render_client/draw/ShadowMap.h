@@ -1,7 +1,8 @@
 #pragma once
 
-#include <glm/mat4x4.hpp>
 #include <vector>
+
+#include <glm/mat4x4.hpp>
 
 #include "common/world/Scene.h"
 #include "render_client/compile/CompiledScene.h"
@@ -11,9 +12,10 @@
 
 namespace coherency {
 
-/// Which points of the scene a light reaches: depth as seen from the light looking straight down, 127 degrees wide and
-/// high. What lies outside is taken as lit. Things that shine by themselves (emission of a half or more) cast no shadow,
-/// nor does what is within 0.1 m of the light, so a lamp may stand inside its own fitting.
+/// Which points of the scene a light reaches: depth as seen from the light looking straight down, 127 degrees
+/// wide and high. What lies outside is taken as lit. Things that shine by themselves (emission of a half or
+/// more) cast no shadow, nor does what is within 0.1 m of the light, so a lamp may stand inside its own
+/// fitting.
 class ShadowMap {
  public:
   ShadowMap(int resolution, std::size_t drawable_count);

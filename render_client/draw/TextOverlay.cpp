@@ -1,9 +1,9 @@
 #include "render_client/draw/TextOverlay.h"
 
-#include <stb/stb_easy_font.h>
-
 #include <algorithm>
 #include <cstring>
+
+#include <stb/stb_easy_font.h>
 
 #include "render_client/draw/ShaderProgram.h"
 #include "render_client/draw/ShaderSources.h"
@@ -35,7 +35,8 @@ void drawQuads(std::size_t first, std::size_t count) {
 }  // namespace
 
 TextOverlay::TextOverlay()
-    : program_(makeProgram("text", kTextVertexShader, kTextFragmentShader)), corners_(kMaxQuads * 4 * sizeof(Corner)) {
+    : program_(makeProgram("text", kTextVertexShader, kTextFragmentShader)),
+      corners_(kMaxQuads * 4 * sizeof(Corner)) {
   const std::vector<std::uint32_t> indices = quadIndices();
   glNamedBufferStorage(indices_.name(), static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
                        indices.data(), 0);
@@ -52,13 +53,15 @@ TextOverlay::TextOverlay()
 std::size_t TextOverlay::layOut(const std::string& text) {
   letters_ = text;
   // stb_easy_font looks letters up in a table without asking whether they are in it.
-  std::replace_if(letters_.begin(), letters_.end(), [](char c) { return c != '\n' && (c < ' ' || c > '~'); }, '?');
+  std::replace_if(
+      letters_.begin(), letters_.end(), [](char c) { return c != '\n' && (c < ' ' || c > '~'); }, '?');
   const float right = 2.0F * kMargin + static_cast<float>(stb_easy_font_width(letters_.data()));
   const float bottom = 2.0F * kMargin + static_cast<float>(stb_easy_font_height(letters_.data()));
   const Corner ground[4] = {{0, 0, 0, 0}, {right, 0, 0, 0}, {right, bottom, 0, 0}, {0, bottom, 0, 0}};
   std::memcpy(corners_.data(), ground, sizeof(ground));
-  const int letters = stb_easy_font_print(kMargin, kMargin, letters_.data(), nullptr, corners_.data() + sizeof(ground),
-                                          static_cast<int>(corners_.size() - sizeof(ground)));
+  const int letters =
+      stb_easy_font_print(kMargin, kMargin, letters_.data(), nullptr, corners_.data() + sizeof(ground),
+                          static_cast<int>(corners_.size() - sizeof(ground)));
   const std::size_t quads = 1 + static_cast<std::size_t>(letters);
   glNamedBufferSubData(corners_buffer_.name(), 0, static_cast<GLsizeiptr>(quads * 4 * sizeof(Corner)),
                        corners_.data());
@@ -76,7 +79,8 @@ void TextOverlay::draw(std::span<const EyeView> views, const std::string& text) 
   glBindVertexArray(vertex_array_.name());
   for (const EyeView& view : views) {
     glViewport(view.x, view.y, view.width, view.height);
-    glUniform4f(0, 2.0F / static_cast<float>(view.width), 2.0F / static_cast<float>(view.height), kScale, 0.0F);
+    glUniform4f(0, 2.0F / static_cast<float>(view.width), 2.0F / static_cast<float>(view.height), kScale,
+                0.0F);
     glUniform4f(1, 0.0F, 0.0F, 0.0F, 0.7F);
     drawQuads(0, 1);
     glUniform4f(1, 0.9F, 0.9F, 0.9F, 1.0F);

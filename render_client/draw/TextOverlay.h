@@ -9,8 +9,8 @@
 
 namespace coherency {
 
-/// Lines of text on a dark translucent ground, in the bitmap letters of stb_easy_font. Printable ASCII; anything else
-/// shows as '?'. What is beyond some thousand letters is left out.
+/// Lines of text on a dark translucent ground, in the bitmap letters of stb_easy_font. Printable ASCII;
+/// anything else shows as '?'. What is beyond some thousand letters is left out.
 class TextOverlay {
  public:
   TextOverlay();

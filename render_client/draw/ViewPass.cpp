@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -22,7 +23,9 @@ std::size_t roundUp(std::size_t size, GLenum alignment_name) {
   return std::max<std::size_t>((size + step - 1) / step, 1) * step;
 }
 
-glm::vec4 vec4(const Coord3& v, double w = 0.0) { return {glm::dvec4(v.glm(), w)}; }
+glm::vec4 vec4(const Coord3& v, double w = 0.0) {
+  return {glm::dvec4(v.glm(), w)};
+}
 
 /// From `eye` to the axis-parallel box about the object's box, in the world.
 double distanceToBox(const TransformMatrix& t_world_object, const Drawable& drawable, const Coord3& eye) {
@@ -60,8 +63,10 @@ ViewPass::ViewPass(std::size_t drawable_count, std::size_t light_count, bool sha
 void ViewPass::makeRoom(std::size_t view_count) {
   if (view_count <= room_) return;
   room_ = view_count;
-  glNamedBufferData(object_buffer_.name(), static_cast<GLsizeiptr>(room_ * object_stride_), nullptr, GL_STREAM_DRAW);
-  glNamedBufferData(view_buffer_.name(), static_cast<GLsizeiptr>(room_ * view_stride_), nullptr, GL_STREAM_DRAW);
+  glNamedBufferData(object_buffer_.name(), static_cast<GLsizeiptr>(room_ * object_stride_), nullptr,
+                    GL_STREAM_DRAW);
+  glNamedBufferData(view_buffer_.name(), static_cast<GLsizeiptr>(room_ * view_stride_), nullptr,
+                    GL_STREAM_DRAW);
 }
 
 void ViewPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count) {
@@ -74,7 +79,8 @@ void ViewPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t 
     if (std::abs(hand) < kFlat) continue;
     shown_.push_back({i, distanceToBox(t_world_object, drawable, eye), hand < 0.0});
   }
-  std::sort(shown_.begin(), shown_.end(), [](const Shown& a, const Shown& b) { return a.distance < b.distance; });
+  std::sort(shown_.begin(), shown_.end(),
+            [](const Shown& a, const Shown& b) { return a.distance < b.distance; });
   commands_.clear();
   for (const Shown& s : shown_) commands_.add(scene.drawables()[s.drawable], s.drawable, s.mirrored);
   commands_.upload();
@@ -88,14 +94,18 @@ void ViewPass::uploadObjects(std::size_t slot, const EyeView& view, const Compil
         eyeFromMesh(view.t_world_eye, compiled.worldTransform(drawable), drawable.origin);
     const glm::dmat3 normals = normalMatrix(glm::dmat3(t_eye_mesh));
     const Material& material = drawable.faces->material;
-    objects_[i] = {glm::mat4(t_eye_mesh), {glm::dvec4(normals[0], material.emission)}, {glm::dvec4(normals[1], 0.0)},
-                   {glm::dvec4(normals[2], 0.0)}, vec4(material.colour, material.gloss)};
+    objects_[i] = {glm::mat4(t_eye_mesh),
+                   {glm::dvec4(normals[0], material.emission)},
+                   {glm::dvec4(normals[1], 0.0)},
+                   {glm::dvec4(normals[2], 0.0)},
+                   vec4(material.colour, material.gloss)};
   }
   glNamedBufferSubData(object_buffer_.name(), static_cast<GLintptr>(slot * object_stride_),
                        static_cast<GLsizeiptr>(objects_.size() * sizeof(Object)), objects_.data());
 }
 
-void ViewPass::uploadView(std::size_t slot, const EyeView& view, const Scene& scene, const ShadowMap* shadow) {
+void ViewPass::uploadView(std::size_t slot, const EyeView& view, const Scene& scene,
+                          const ShadowMap* shadow) {
   const TransformMatrix r_eye_world = view.t_world_eye.linear().rigidInverse();
   ViewBlock block;
   block.clip_from_eye = glm::mat4(projection(view.view, view.near_m).glm());
@@ -112,7 +122,8 @@ void ViewPass::uploadView(std::size_t slot, const EyeView& view, const Scene& sc
     block.shadow_from_eye = shadow->clipFromEye(view.t_world_eye);
     block.shadow = {shadow->texelAtOneMetre(), shadow->texelShare(), 0.0F, 0.0F};
   }
-  glNamedBufferSubData(view_buffer_.name(), static_cast<GLintptr>(slot * view_stride_), sizeof(ViewBlock), &block);
+  glNamedBufferSubData(view_buffer_.name(), static_cast<GLintptr>(slot * view_stride_), sizeof(ViewBlock),
+                       &block);
 }
 
 void ViewPass::draw(std::size_t slot, const EyeView& view, const Scene& scene, const CompiledScene& compiled,
@@ -121,8 +132,8 @@ void ViewPass::draw(std::size_t slot, const EyeView& view, const Scene& scene, c
   uploadView(slot, view, scene, shadow);
   glViewport(view.x, view.y, view.width, view.height);
   glUseProgram(program_.name());
-  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, object_buffer_.name(), static_cast<GLintptr>(slot * object_stride_),
-                    static_cast<GLsizeiptr>(object_stride_));
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, object_buffer_.name(),
+                    static_cast<GLintptr>(slot * object_stride_), static_cast<GLsizeiptr>(object_stride_));
   glBindBufferRange(GL_UNIFORM_BUFFER, 0, view_buffer_.name(), static_cast<GLintptr>(slot * view_stride_),
                     sizeof(ViewBlock));
   if (shadow != nullptr) shadow->bindTexture();

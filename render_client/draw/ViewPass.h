@@ -1,8 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
-#include <vector>
 
 #include "common/world/Scene.h"
 #include "render_client/compile/CompiledScene.h"
@@ -14,16 +15,16 @@
 
 namespace coherency {
 
-/// Draws the scene as one eye sees it: composes every object's transform relative to the eye, hands them to the GPU
-/// and draws all of them at once. Of the scene's lights the first 8 shine.
+/// Draws the scene as one eye sees it: composes every object's transform relative to the eye, hands them to
+/// the GPU and draws all of them at once. Of the scene's lights the first 8 shine.
 class ViewPass {
  public:
-  /// `light_count` of the scene's lights, `shadows` of the first of them: fixed, so that the shader has no loops or
-  /// branches (on a software renderer they cost ten times the arithmetic).
+  /// `light_count` of the scene's lights, `shadows` of the first of them: fixed, so that the shader has no
+  /// loops or branches (on a software renderer they cost ten times the arithmetic).
   ViewPass(std::size_t drawable_count, std::size_t light_count, bool shadows);
 
-  /// Chooses what is drawn in this frame (by all its views), nearest to `eye` first so that what it hides is not shaded,
-  /// and makes room for that many views.
+  /// Chooses what is drawn in this frame (by all its views), nearest to `eye` first so that what it hides is
+  /// not shaded, and makes room for that many views.
   void begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count);
   /// Draws view number `slot` of the frame into the bound framebuffer. `shadow` may be null.
   void draw(std::size_t slot, const EyeView& view, const Scene& scene, const CompiledScene& compiled,
@@ -53,7 +54,7 @@ class ViewPass {
   DrawCommands commands_;
   std::vector<Shown> shown_;
   std::vector<Object> objects_;
-  std::size_t object_stride_;       ///< bytes a view's objects take
+  std::size_t object_stride_;  ///< bytes a view's objects take
   std::size_t view_stride_;
   std::size_t room_ = 0;  ///< views the buffers hold
   Buffer object_buffer_;

@@ -21,8 +21,9 @@ struct DisplayInput {
   bool toggle_overlay = false;  ///< F1
 };
 
-/// Where pictures go: a window, or nowhere (headless). Construction makes an OpenGL 4.5 core context current in the
-/// calling thread, where it stays. The same drawing code runs on either. One display at a time in a process.
+/// Where pictures go: a window, or nowhere (headless). Construction makes an OpenGL 4.5 core context current
+/// in the calling thread, where it stays. The same drawing code runs on either. One display at a time in a
+/// process.
 class Display {
  public:
   Display() = default;
@@ -30,8 +31,8 @@ class Display {
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;
   virtual DisplayInput poll() = 0;
-  /// Shows what was drawn to framebuffer 0; returns when the picture has been handed over (a window waits for its
-  /// vertical sync; headless waits for the drawing to be complete).
+  /// Shows what was drawn to framebuffer 0; returns when the picture has been handed over (a window waits for
+  /// its vertical sync; headless waits for the drawing to be complete).
   virtual void present() = 0;
   virtual bool hasWindow() const = 0;
   /// Framebuffer's size in pixels, which a window may change. Never 0.
@@ -42,7 +43,8 @@ class Display {
 /// EGL without a surface: a GPU's EGL device where there is one, else Mesa's surfaceless platform (and with
 /// LIBGL_ALWAYS_SOFTWARE=1 that first). Throws std::runtime_error naming what is missing and the remedy.
 std::unique_ptr<Display> makeHeadlessDisplay(const DisplayConfig& config);
-/// GLFW window. Throws std::runtime_error when there is no display, no OpenGL 4.5, or no such monitor (naming those there are).
+/// GLFW window. Throws std::runtime_error when there is no display, no OpenGL 4.5, or no such monitor (naming
+/// those there are).
 std::unique_ptr<Display> makeWindowDisplay(const DisplayConfig& config);
 
 }  // namespace coherency

@@ -1,5 +1,3 @@
-#include <epoxy/egl.h>
-
 #include <array>
 #include <cstdlib>
 #include <stdexcept>
@@ -7,14 +5,16 @@
 #include <string_view>
 #include <vector>
 
+#include <epoxy/egl.h>
+
 #include "render_client/present/Display.h"
 
 namespace coherency {
 namespace {
 
 bool hasExtension(const char* extensions, std::string_view name) {
-  return extensions != nullptr && (" " + std::string(extensions) + " ").find(" " + std::string(name) + " ") !=
-                                      std::string::npos;
+  return extensions != nullptr &&
+         (" " + std::string(extensions) + " ").find(" " + std::string(name) + " ") != std::string::npos;
 }
 
 bool softwareWanted() {
@@ -41,7 +41,8 @@ std::vector<Candidate> candidates() {
     eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count);
     for (EGLint i = 0; i < count; ++i) {
       EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
-      const bool software = hasExtension(eglQueryDeviceStringEXT(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+      const bool software =
+          hasExtension(eglQueryDeviceStringEXT(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
       auto& list = software || softwareWanted() ? others : gpus;
       list.push_back({EGL_PLATFORM_DEVICE_EXT, device, "EGL device " + std::to_string(i)});
     }
@@ -57,14 +58,20 @@ std::string eglErrorText() {
 }
 
 EGLContext makeContext(EGLDisplay display, int major, int minor) {
-  const std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION, major, EGL_CONTEXT_MINOR_VERSION, minor,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION,
+                                     major,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     minor,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
   return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
 }
 
 /// For the error message: the newest version below 4.5 that the driver does give.
 std::string newestVersion(EGLDisplay display) {
-  for (const auto& [major, minor] : {std::pair{4, 4}, {4, 3}, {4, 2}, {4, 1}, {4, 0}, {3, 3}, {3, 2}, {3, 1}}) {
+  for (const auto& [major, minor] :
+       {std::pair{4, 4}, {4, 3}, {4, 2}, {4, 1}, {4, 0}, {3, 3}, {3, 2}, {3, 1}}) {
     const EGLContext context = makeContext(display, major, minor);
     if (context == EGL_NO_CONTEXT) continue;
     eglDestroyContext(display, context);
@@ -85,7 +92,8 @@ class HeadlessDisplay : public Display {
       if (fault.empty()) return;
       found += (found.empty() ? "" : "; ") + candidate.name + ": " + fault;
     }
-    throw std::runtime_error("no OpenGL 4.5 to draw with headless (" + (found.empty() ? "EGL has no platform" : found) +
+    throw std::runtime_error("no OpenGL 4.5 to draw with headless (" +
+                             (found.empty() ? "EGL has no platform" : found) +
                              "); install Mesa (libegl1 libgl1-mesa-dri) or a graphics driver with EGL");
   }
 

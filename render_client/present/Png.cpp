@@ -1,13 +1,13 @@
 #include "render_client/present/Png.h"
 
-#include <png.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
+
+#include <png.h>
 
 namespace coherency {
 namespace {
@@ -20,7 +20,9 @@ struct FileCloser {
 using File = std::unique_ptr<std::FILE, FileCloser>;
 
 /// libpng calls this in place of longjmp; it is compiled with unwinding, so an exception may pass.
-[[noreturn]] void onError(png_structp, png_const_charp message) { throw std::runtime_error(message); }
+[[noreturn]] void onError(png_structp, png_const_charp message) {
+  throw std::runtime_error(message);
+}
 void onWarning(png_structp, png_const_charp) {}
 
 File open(const std::filesystem::path& path, const char* mode) {
@@ -62,8 +64,9 @@ void write(std::FILE* file, const Image& image, const PngText& text) {
     throw std::runtime_error("the picture's size and its bytes do not agree");
   Writer writer;
   png_init_io(writer.png, file);
-  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
-               8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
   setText(writer, text);
   png_set_compression_level(writer.png, 3);  // half the time of the default, some percent larger
@@ -79,7 +82,8 @@ void readText(const Reader& reader, PngText& text) {
   png_textp chunks = nullptr;
   int count = 0;
   png_get_text(reader.png, reader.info, &chunks, &count);
-  for (int i = 0; i < count; ++i) text.emplace_back(chunks[i].key, chunks[i].text == nullptr ? "" : chunks[i].text);
+  for (int i = 0; i < count; ++i)
+    text.emplace_back(chunks[i].key, chunks[i].text == nullptr ? "" : chunks[i].text);
 }
 
 Image read(std::FILE* file, PngText* text) {
@@ -99,7 +103,8 @@ Image read(std::FILE* file, PngText* text) {
   const auto row = static_cast<std::size_t>(image.width) * 3;
   image.rgb.resize(row * static_cast<std::size_t>(image.height));
   std::vector<png_bytep> rows;
-  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) rows.push_back(image.rgb.data() + y * row);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+    rows.push_back(image.rgb.data() + y * row);
   png_read_image(reader.png, rows.data());
   png_read_end(reader.png, reader.info);
   if (text != nullptr) readText(reader, *text);

@@ -1,9 +1,9 @@
 #define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+
+#include <GLFW/glfw3.h>
 
 #include "render_client/present/Display.h"
 
@@ -20,7 +20,8 @@ namespace {
 struct Library {
   Library() {
     if (glfwInit() != GLFW_TRUE)
-      fail("no display to open a window on", "set DISPLAY or WAYLAND_DISPLAY, or draw headless (--display headless)");
+      fail("no display to open a window on",
+           "set DISPLAY or WAYLAND_DISPLAY, or draw headless (--display headless)");
   }
   ~Library() { glfwTerminate(); }
   Library(const Library&) = delete;
@@ -76,8 +77,8 @@ class WindowDisplay : public Display {
       const char* text = nullptr;
       glfwGetError(&text);
       const std::string reason = text == nullptr ? "unknown reason" : text;
-      throw std::runtime_error("no window with OpenGL 4.5 (" + reason + "): the display's driver " + newestVersion() +
-                               "; update it, or draw headless (--display headless)");
+      throw std::runtime_error("no window with OpenGL 4.5 (" + reason + "): the display's driver " +
+                               newestVersion() + "; update it, or draw headless (--display headless)");
     }
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(config.vsync ? 1 : 0);
@@ -110,7 +111,8 @@ class WindowDisplay : public Display {
  private:
   static GLFWwindow* makeFullscreen(const DisplayConfig& config, GLFWmonitor* monitor) {
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-    if (mode == nullptr) fail("monitor " + std::to_string(config.monitor) + " has no mode", "is it switched on?");
+    if (mode == nullptr)
+      fail("monitor " + std::to_string(config.monitor) + " has no mode", "is it switched on?");
     glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate);
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // the other eye's window may have the focus
     return glfwCreateWindow(mode->width, mode->height, config.title.c_str(), monitor, nullptr);
@@ -118,7 +120,8 @@ class WindowDisplay : public Display {
 
   static GLFWwindow* makeWindow(const DisplayConfig& config, GLFWmonitor* monitor) {
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    GLFWwindow* window = glfwCreateWindow(config.width, config.height, config.title.c_str(), nullptr, nullptr);
+    GLFWwindow* window =
+        glfwCreateWindow(config.width, config.height, config.title.c_str(), nullptr, nullptr);
     if (window == nullptr) return nullptr;
     int x = 0;
     int y = 0;

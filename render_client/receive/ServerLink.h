@@ -36,7 +36,7 @@ struct ReceivedPacket {
   ClientTime decoded;  ///< as something to draw from
 };
 
-inline constexpr std::size_t kRecentPackets = 64;
+inline constexpr std::size_t kRecentPackets = 1024;
 
 /// The client's end of the wire. A thread of its own connects, says hello, receives, measures the clock, and
 /// connects again by itself (every 200 ms) when the server goes away. The newest packet wins; nothing queues.

@@ -56,10 +56,14 @@ TEST_F(ConfigTest, EveryShippedFileLoads) {
     ++files;
     const std::string folder = entry.path().parent_path().filename();
     const std::string path = entry.path().string();
-    if (folder == "servers") EXPECT_NO_THROW(readServerConfig(path)) << path;
-    else if (folder == "rigs") EXPECT_NO_THROW(readRig(path)) << path;
-    else if (folder == "hmds") EXPECT_NO_THROW(readHmdProfile(path)) << path;
-    else ADD_FAILURE() << path << ": nobody reads this folder";
+    if (folder == "servers")
+      EXPECT_NO_THROW(readServerConfig(path)) << path;
+    else if (folder == "rigs")
+      EXPECT_NO_THROW(readRig(path)) << path;
+    else if (folder == "hmds")
+      EXPECT_NO_THROW(readHmdProfile(path)) << path;
+    else
+      ADD_FAILURE() << path << ": nobody reads this folder";
   }
   EXPECT_GE(files, 8);
 }
@@ -90,7 +94,8 @@ TEST_F(ConfigTest, ShippedDefaultsAreTheProgramsDefaults) {
 
 TEST_F(ConfigTest, WrongFilesAreRefusedWithPlaceAndRemedy) {
   expectRefused("scene = \n", ":1:", "");
-  expectRefused("[network]\nport = 70000\n", ":2:", "network.port: 70000 is out of range; must be from 0 to 65535");
+  expectRefused("[network]\nport = 70000\n",
+                ":2:", "network.port: 70000 is out of range; must be from 0 to 65535");
   expectRefused("[network]\nport = \"x\"\n", ":2:", "must be a whole number");
   expectRefused("[sampling]\nrate_hz = nan\n", ":2:", "sampling.rate_hz");
   expectRefused("[sampling]\n\n  rate_hz = inf\n", ":3:", "must be from 10 to 10000");
@@ -122,8 +127,9 @@ TEST_F(ConfigTest, HmdNeedsBothEyesAndAPicture) {
   EXPECT_NO_THROW(readHmdProfile(write("[left]\n" + eye + "[right]\n" + eye)));
   EXPECT_THROW(readHmdProfile(write("[left]\n" + eye)), ConfigError);
   EXPECT_THROW(readHmdProfile(write("[left]\n" + eye + "[right]\nleft = 40.0\n")), ConfigError);
-  EXPECT_THROW(readHmdProfile(write("[left]\n" + eye + "[right]\nleft = -40.0\nright = 40.0\ndown = 1.0\nup = 1.0\n")),
-               ConfigError);
+  EXPECT_THROW(
+      readHmdProfile(write("[left]\n" + eye + "[right]\nleft = -40.0\nright = 40.0\ndown = 1.0\nup = 1.0\n")),
+      ConfigError);
 }
 
 TEST_F(ConfigTest, FittingKeepsPixelsSquareAndTheHorizontalView) {
@@ -140,7 +146,8 @@ TEST_F(ConfigTest, Endpoints) {
   EXPECT_EQ(parseEndpoint("pc1:80", 7).port, 80);
   EXPECT_EQ(parseEndpoint("[::1]:80", 7).host, "::1");
   EXPECT_EQ(parseEndpoint("[::1]", 7).port, 7);
-  for (const char* wrong : {"", ":80", "pc1:", "pc1:x", "pc1:70000", "pc1:-1", "::1", "[::1", "[::1]x", "[::1]:"})
+  for (const char* wrong :
+       {"", ":80", "pc1:", "pc1:x", "pc1:70000", "pc1:-1", "::1", "[::1", "[::1]x", "[::1]:"})
     EXPECT_THROW(parseEndpoint(wrong, 7), ConfigError) << wrong;
 }
 

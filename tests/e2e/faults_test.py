@@ -59,7 +59,7 @@ class BadInput(SessionTest):
         self.refuse(2, ["bad.toml:1:"], SERVER, "--config", bad)
 
     def test_unknown_scene(self):
-        self.refuse(1, ["atlantis", "laboratory"], SERVER, "--config", LABORATORY, "--listen", "127.0.0.1:0",
+        self.refuse(2, ["atlantis", "laboratory"], SERVER, "--config", LABORATORY, "--listen", "127.0.0.1:0",
                     "--scene", "atlantis")
 
     def test_recordings(self):
@@ -78,7 +78,7 @@ class BadInput(SessionTest):
         ]:
             if text is not None:
                 file.write_text(text)
-            said = self.refuse(1, words, SERVER, "--config", LABORATORY, "--listen", "127.0.0.1:0", "--recording", file)
+            said = self.refuse(2, words, SERVER, "--config", LABORATORY, "--listen", "127.0.0.1:0", "--recording", file)
             self.assertLess(len(said.strip().splitlines()), 2, said)
 
     def test_port_in_use(self):

@@ -180,12 +180,13 @@ class Registration(SessionTest):
         displays = {"left": (Display(hmd, "left"), -1), "right": (Display(hmd, "right"), 1)}
         at = self.moment(recording, model, displays)
         _, address = self.server("--recording", RECORDING, config="targets")
+        clients = {}
         for eye in displays:
-            self.client(address, eye, "--size", f"{WIDTH}x{HEIGHT}", "--fps", "10", "--snapshot-dir", self.folder,
+            clients[eye] = self.client(address, eye, "--size", f"{WIDTH}x{HEIGHT}", "--fps", "10", "--snapshot-dir", self.folder,
                         "--snapshot-at", at)
         paths = {eye: self.folder / f"{eye}.png" for eye in displays}
-        self.until(lambda: all(p.exists() and p.stat().st_size > 0 for p in paths.values()), at + 20)
-        self.until(lambda: all(p.read_bytes().endswith(b"IEND\xaeB`\x82") for p in paths.values()), 5)
+        for eye, path in paths.items():
+            self.until(lambda: path.exists() and path.read_bytes().endswith(b"IEND\xaeB`\x82"), at + 20, clients[eye])
         for eye, (display, side) in displays.items():
             picture = read_png(paths[eye])
             tick_s = int(picture[3]["tick"]) * 1e-3

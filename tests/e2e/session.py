@@ -12,8 +12,8 @@ import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SERVER = os.environ.get("COHERENCY_SERVER", "")
-CLIENT = os.environ.get("COHERENCY_CLIENT", "")
+SERVER = os.environ.get("COHERENCY_SERVER", ROOT / "build/release/motion_server/motion_server")
+CLIENT = os.environ.get("COHERENCY_CLIENT", ROOT / "build/release/render_client/render_client")
 MOTION_DATA = pathlib.Path(os.environ.get("COHERENCY_MOTION_DATA", ROOT.parent / "shared/data/motion"))
 sys.path.insert(0, str(ROOT / "scripts"))
 

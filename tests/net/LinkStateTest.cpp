@@ -73,12 +73,13 @@ TEST_F(LinkStateTest, TheNewestWinsAndTicksAreFound) {
 
 TEST_F(LinkStateTest, OnlyTheLastTicksAreKept) {
   link_.welcomed(session(1));
-  for (std::uint64_t s = 1; s <= 200; ++s) receive(1, s);
-  receive(1, 100);  // much too late
-  EXPECT_TRUE(link_.atTick(200));
-  EXPECT_TRUE(link_.atTick(200 - kRecentPackets + 1));
-  EXPECT_FALSE(link_.atTick(200 - kRecentPackets));
-  EXPECT_FALSE(link_.atTick(100));
+  const std::uint64_t last = 3 * kRecentPackets + 8;
+  for (std::uint64_t s = 1; s <= last; ++s) receive(1, s);
+  receive(1, kRecentPackets);  // much too late
+  EXPECT_TRUE(link_.atTick(last));
+  EXPECT_TRUE(link_.atTick(last - kRecentPackets + 1));
+  EXPECT_FALSE(link_.atTick(last - kRecentPackets));
+  EXPECT_FALSE(link_.atTick(kRecentPackets));
 }
 
 TEST_F(LinkStateTest, OtherSessionsAndNoiseAreRejected) {

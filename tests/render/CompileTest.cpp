@@ -1,9 +1,9 @@
 // Shapes and trees made ready for drawing; needs no OpenGL.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
+
+#include <gtest/gtest.h>
 
 #include "common/scene/Primitives.h"
 #include "render_client/compile/CompiledScene.h"
@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Coord3 coord(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+Coord3 coord(const float (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
 
 struct Triangle {
   Coord3 corner[3];
@@ -57,7 +59,9 @@ void expectClosedAndOutward(const Mesh& mesh, double expected_volume) {
   EXPECT_NEAR(volume(mesh), expected_volume, 1e-5 * expected_volume);
 }
 
-double polygonArea(int sides, double radius) { return 0.5 * sides * radius * radius * std::sin(2.0 * kPi / sides); }
+double polygonArea(int sides, double radius) {
+  return 0.5 * sides * radius * radius * std::sin(2.0 * kPi / sides);
+}
 
 TEST(MeshBuilder, BoxHasTwoTrianglesAFaceWithTheFacesNormal) {
   const Mesh mesh = buildMesh(*Box({2.0, 3.0, 4.0}).faces());
@@ -124,7 +128,8 @@ TEST(MeshBuilder, CreaseAngleDecidesWhichEdgesAreSharp) {
   const double degree = kPi / 180.0;
   const Mesh smooth = buildMesh(roof(60.0 * degree, 61.0 * degree));
   ASSERT_EQ(smooth.vertices.size(), 6U);
-  EXPECT_NEAR(smooth.vertices[smooth.indices[0]].normal[1], 1.0, 1e-6) << "along the ridge, between both slopes";
+  EXPECT_NEAR(smooth.vertices[smooth.indices[0]].normal[1], 1.0, 1e-6)
+      << "along the ridge, between both slopes";
   const Mesh sharp = buildMesh(roof(60.0 * degree, 59.0 * degree));
   ASSERT_EQ(sharp.vertices.size(), 8U);
   for (const MeshVertex& v : sharp.vertices) EXPECT_NEAR(v.normal[1], std::cos(30.0 * degree), 1e-6);
@@ -216,7 +221,8 @@ TEST(CompiledScene, FollowsTheTree) {
   EXPECT_EQ(drawables[1].first_index, 36U);
   EXPECT_EQ(scene.indices().size(), drawables[1].first_index + drawables[1].index_count);
   for (std::uint32_t i = 0; i < drawables[1].index_count; ++i)
-    EXPECT_LT(drawables[1].first_vertex + scene.indices()[drawables[1].first_index + i], scene.vertices().size());
+    EXPECT_LT(drawables[1].first_vertex + scene.indices()[drawables[1].first_index + i],
+              scene.vertices().size());
 }
 
 }  // namespace

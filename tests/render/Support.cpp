@@ -1,9 +1,9 @@
 #include "tests/render/Support.h"
 
-#include <epoxy/egl.h>
-
 #include <cmath>
 #include <cstdlib>
+
+#include <epoxy/egl.h>
 
 namespace coherency {
 
@@ -30,7 +30,9 @@ void DrawingTest::SetUp() {
   display();
 }
 
-TestScene::TestScene(const Rig& rig) : Scene("test", rig, HumanShown::None) { setAmbient({}, {}); }
+TestScene::TestScene(const Rig& rig) : Scene("test", rig, HumanShown::None) {
+  setAmbient({}, {});
+}
 
 EyeView lookingAhead(const Coord3& at, int width, int height, double tangent) {
   const double up = tangent * height / width;
@@ -48,7 +50,8 @@ Image picture(const Scene& scene, const EyeView& view, const RendererSettings& s
 }
 
 int value(const Image& image, int x, int y, Channel channel) {
-  const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+  const auto pixel =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
   return image.rgb.at(pixel * 3 + channel);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "common/scene/Primitives.h"
 #include "common/world/Scene.h"
@@ -17,8 +17,8 @@ namespace coherency {
 /// Whether this machine has any EGL display at all; without one there is nothing to test drawing with.
 bool anyEglDisplay();
 
-/// A test that draws: makes the headless context current, once a process. Fails, rather than being skipped, where there
-/// is an EGL display but no OpenGL 4.5.
+/// A test that draws: makes the headless context current, once a process. Fails, rather than being skipped,
+/// where there is an EGL display but no OpenGL 4.5.
 class DrawingTest : public testing::Test {
  protected:
   void SetUp() override;
@@ -48,13 +48,18 @@ class TestScene : public Scene {
 };
 
 /// Shines by itself, evenly, whatever the light.
-inline Material glow(double r, double g, double b) { return {{r, g, b}, 0.0, 1.0}; }
-inline Material matt(double r, double g, double b) { return {{r, g, b}, 0.0, 0.0}; }
+inline Material glow(double r, double g, double b) {
+  return {{r, g, b}, 0.0, 1.0};
+}
+inline Material matt(double r, double g, double b) {
+  return {{r, g, b}, 0.0, 0.0};
+}
 inline const Material kRed = glow(1.0, 0.0, 0.0);
 inline const Material kGreen = glow(0.0, 1.0, 0.0);
 inline const Material kBlue = glow(0.0, 0.0, 1.0);
 
-/// An eye at `at`, upright, with a symmetric view of `tangent` to the left and right, on the whole of a picture.
+/// An eye at `at`, upright, with a symmetric view of `tangent` to the left and right, on the whole of a
+/// picture.
 EyeView lookingAhead(const Coord3& at, int width, int height, double tangent = 1.0);
 
 Image picture(Renderer& renderer, std::span<const EyeView> views);
@@ -65,14 +70,17 @@ int value(const Image& image, int x, int y, Channel channel);
 /// Light of an sRGB byte, 0..1.
 double linear(int byte);
 
-/// What shows in one channel of the columns from x_begin to x_end, in pixel coordinates as projectToPixels() has them.
+/// What shows in one channel of the columns from x_begin to x_end, in pixel coordinates as projectToPixels()
+/// has them.
 struct Spot {
-  double x = 0.0;      ///< centroid, weighted by light
+  double x = 0.0;  ///< centroid, weighted by light
   double y = 0.0;
   double light = 0.0;  ///< sum over the pixels
 };
 Spot spot(const Image& image, Channel channel, int x_begin, int x_end);
-inline Spot spot(const Image& image, Channel channel) { return spot(image, channel, 0, image.width); }
+inline Spot spot(const Image& image, Channel channel) {
+  return spot(image, channel, 0, image.width);
+}
 
 /// Share of the pixels of which some channel differs by more than `tolerance`; 1 where the sizes differ.
 double shareDiffering(const Image& a, const Image& b, int tolerance);

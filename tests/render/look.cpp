@@ -1,10 +1,12 @@
-// Draws one picture of a scene: for those who write scenes, and for those who want to see what a posture looks like.
+// Draws one picture of a scene: for those who write scenes, and for those who want to see what a posture
+// looks like.
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <sstream>
+
+#include <CLI/CLI.hpp>
 
 #include "common/math/FixedPoint.h"
 #include "common/motion/SampleGate.h"
@@ -46,7 +48,8 @@ void addOptions(CLI::App& app, Options& o) {
   app.add_option("--head", o.head, "x,y,z,yaw,pitch,roll of the head in the body frame (m, rad)")
       ->delimiter(',')
       ->expected(6);
-  app.add_option("--base", o.base, "x,z,heading of the operator's base (m, degrees; default: the scene's workplace)")
+  app.add_option("--base", o.base,
+                 "x,z,heading of the operator's base (m, degrees; default: the scene's workplace)")
       ->delimiter(',')
       ->expected(3);
   app.add_option("--set", o.set, "dof=value in SI units, such as grip=1; may be repeated");
@@ -85,7 +88,8 @@ MotionSample makeSample(const Options& o, const Rig& rig) {
 
 BasePose makeBase(const Options& o, const Scene& scene) {
   if (o.base.empty()) return scene.workplace();
-  return {nanometresFromMetres(o.base[0]), 0, nanometresFromMetres(o.base[1]), unitsFromRadians(o.base[2] * kDegree)};
+  return {nanometresFromMetres(o.base[0]), 0, nanometresFromMetres(o.base[1]),
+          unitsFromRadians(o.base[2] * kDegree)};
 }
 
 std::vector<EyeView> makeViews(const Options& o, const Scene& scene, int width, int height) {
@@ -122,8 +126,9 @@ void look(Options& o) {
   Renderer renderer(*scene, config.width * static_cast<int>(views.size()), config.height, o.renderer);
   renderer.draw(views);
   writePng(o.file, renderer.readImage(), {{"scene", o.scene}, {"renderer", renderer.rendererName()}});
-  std::printf("%s: %zu objects, %zu polygons, %zu triangles, %d samples, %s\n", o.file.c_str(), renderer.objectCount(),
-              scene->polygonCount(), renderer.triangleCount(), renderer.samples(), renderer.rendererName().c_str());
+  std::printf("%s: %zu objects, %zu polygons, %zu triangles, %d samples, %s\n", o.file.c_str(),
+              renderer.objectCount(), scene->polygonCount(), renderer.triangleCount(), renderer.samples(),
+              renderer.rendererName().c_str());
 }
 
 }  // namespace

@@ -1,0 +1,211 @@
+// What stands where in a picture, what hides what, and that being far from the world's origin changes
+// nothing.
+
+#include <cmath>
+
+#include "common/math/FixedPoint.h"
+#include "tests/render/Support.h"
+
+namespace coherency {
+namespace {
+
+class Picture : public DrawingTest {};
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+
+TEST_F(Picture, IsNeitherUpsideDownNorMirrored) {
+  TestScene scene;
+  scene.add<Box>({0.0, 0.4, -2.0}, kRed, Coord3{0.2, 0.2, 0.2});
+  scene.add<Box>({0.0, -0.6, -2.0}, kBlue, Coord3{0.2, 0.2, 0.2});
+  scene.add<Box>({0.8, 0.0, -2.0}, kGreen, Coord3{0.2, 0.2, 0.2});
+  const EyeView view = lookingAhead({}, kWidth, kHeight);
+  const Image image = picture(scene, view);
+  const auto expectAt = [&](Channel channel, const Coord3& middle) {
+    const PixelPoint expected = projectToPixels(view.view, middle, kWidth, kHeight);
+    const Spot seen = spot(image, channel);
+    EXPECT_NEAR(seen.x, expected.x, 1.5);
+    EXPECT_NEAR(seen.y, expected.y, 1.5);
+  };
+  expectAt(Red, {0.0, 0.4, -2.0});
+  expectAt(Blue, {0.0, -0.6, -2.0});
+  expectAt(Green, {0.8, 0.0, -2.0});
+  EXPECT_LT(spot(image, Red).y, spot(image, Blue).y) << "row 0 is the top";
+  EXPECT_GT(spot(image, Green).x, spot(image, Red).x);
+}
+
+TEST_F(Picture, ViewsLieWhereTheyAreToldCountedFromTheBottomLeft) {
+  TestScene scene;
+  scene.add<Rectangle>({0.0, 0.0, -1.0}, kRed, 10.0, 10.0);
+  EyeView view = lookingAhead({}, 30, 20);
+  view.x = 50;
+  view.y = 60;
+  Renderer renderer(scene, kWidth, kHeight);
+  const Image image = picture(renderer, {&view, 1});
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const int row_from_below = kHeight - 1 - y;
+      const bool inside = x >= 50 && x < 80 && row_from_below >= 60 && row_from_below < 80;
+      ASSERT_EQ(value(image, x, y, Red) > 0, inside) << x << ", " << y;
+    }
+}
+
+/// Two squares, turned the same way, `gap` apart, so large that nothing else is seen; the red one is nearer.
+void addTwoFaces(TestScene& scene, double distance, double gap, double turned, bool red_first) {
+  const auto face = [&](const Material& material, double z) {
+    scene.add<Rectangle>({0.0, 0.0, z}, material, 30.0 * distance, 30.0 * distance)
+        .setOrientation(TransformMatrix::rotationY(turned) * TransformMatrix::rotationX(0.5 * turned));
+  };
+  if (red_first) face(kRed, -distance);
+  face(kBlue, -distance - gap);
+  if (!red_first) face(kRed, -distance);
+}
+
+TEST_F(Picture, TellsFacesAMillimetreApartAtAHundredMetres) {
+  for (const double turned : {0.0, 0.5})
+    for (const bool red_first : {true, false}) {
+      TestScene scene;
+      addTwoFaces(scene, 100.0, 0.001, turned, red_first);
+      const EyeView view = lookingAhead({}, kWidth, kHeight);
+      ASSERT_EQ(view.near_m, 0.01);
+      const Image image = picture(scene, view);
+      const double everywhere = kWidth * kHeight * linear(value(image, 0, 0, Red));
+      EXPECT_NEAR(spot(image, Red).light, everywhere, 1e-6 * everywhere) << "turned by " << turned;
+      EXPECT_EQ(spot(image, Blue).light, 0.0) << "turned by " << turned << ", red first: " << red_first;
+    }
+}
+
+TEST_F(Picture, ShowsWhatIsBeyondTheNearPlaneHoweverFar) {
+  TestScene scene;
+  Rectangle& face = scene.add<Rectangle>({0.0, 0.0, 0.0}, kRed, 1.0, 1.0);
+  Renderer renderer(scene, kWidth, kHeight);
+  const EyeView view = lookingAhead({}, kWidth, kHeight);
+  const auto seen = [&](double distance) {
+    face.setTransform(TransformMatrix::translation({0.0, 0.0, -distance}) *
+                      TransformMatrix::scaling(Coord3{1.0, 1.0, 1.0} * (4.0 * distance)));
+    return value(picture(renderer, {&view, 1}), kWidth / 2, kHeight / 2, Red) > 0;
+  };
+  EXPECT_FALSE(seen(0.0099));
+  EXPECT_TRUE(seen(0.0101));
+  EXPECT_TRUE(seen(1e3));
+  EXPECT_TRUE(seen(1e9));
+}
+
+TEST_F(Picture, FacesShowOnlyFromOutside) {
+  TestScene scene;
+  Rectangle& face = scene.add<Rectangle>({0.0, 0.0, -2.0}, kRed, 1.0, 1.0);
+  Renderer renderer(scene, kWidth, kHeight);
+  const EyeView view = lookingAhead({}, kWidth, kHeight);
+  const auto seen = [&](const TransformMatrix& linear) {
+    face.setOrientation(linear);
+    return spot(picture(renderer, {&view, 1}), Red).light > 0.0;
+  };
+  const TransformMatrix back = TransformMatrix::rotationY(0.5 * kTurn);
+  const TransformMatrix mirrored = TransformMatrix::scaling({-1.0, 1.0, 1.0});
+  EXPECT_TRUE(seen(TransformMatrix()));
+  EXPECT_FALSE(seen(back));
+  EXPECT_TRUE(seen(mirrored)) << "mirroring in x does not turn a face away";
+  EXPECT_FALSE(seen(back * mirrored));
+  EXPECT_FALSE(seen(TransformMatrix::scaling({1.0, 1.0, -1.0}))) << "mirroring in its own normal does";
+  EXPECT_FALSE(seen(TransformMatrix::scaling({0.0, 1.0, 1.0}))) << "flat: nothing to see, and no error";
+}
+
+/// Upright and mirrored shapes among one another, over a floor they throw their shadows on; all of them are
+/// symmetric, so that mirroring must change nothing at all.
+void buildSymmetric(TestScene& scene, double x_scale) {
+  scene.setAmbient({0.3, 0.3, 0.35}, {0.1, 0.1, 0.1});
+  scene.addLight({{0.5, 2.5, -1.5}, {1.0, 1.0, 1.0}, 4.0});
+  scene.add<Box>({0.0, -1.05, -3.0}, matt(0.7, 0.7, 0.7), Coord3{6.0, 0.1, 6.0});
+  const TransformMatrix turned =
+      TransformMatrix::rotationY(0.6) * TransformMatrix::scaling({x_scale, 1.0, 1.0});
+  scene.add<Box>({-0.7, -0.4, -3.0}, matt(0.8, 0.3, 0.2), Coord3{0.6, 0.8, 0.4}).setOrientation(turned);
+  scene.add<Ellipsoid>({0.6, -0.5, -2.5}, Material{{0.2, 0.5, 0.8}, 0.6, 0.0}, Coord3{0.4, 0.3, 0.5}, 24)
+      .setOrientation(turned);
+  scene.add<Cylinder>({0.1, -0.4, -3.8}, matt(0.3, 0.7, 0.3), 0.4, 1.2, 24);
+}
+
+TEST_F(Picture, MirroredShapesShowTheirOutsideLitAndShadowingAsUprightOnes) {
+  TestScene upright;
+  TestScene mirrored;
+  buildSymmetric(upright, 1.0);
+  buildSymmetric(mirrored, -1.0);
+  const EyeView view = lookingAhead({}, 320, 240);
+  const Image expected = picture(upright, view);
+  EXPECT_LE(shareDiffering(picture(mirrored, view), expected, 2), 0.001);
+  EXPECT_GT(shareDiffering(picture(upright, view, {.shadows = false}), expected, 8), 0.01)
+      << "there are shadows";
+}
+
+/// Everything there is to a picture, lamp and shadows too, about `middle`.
+struct Village {
+  explicit Village(const Coord3& middle) {
+    scene.setAmbient({0.3, 0.3, 0.35}, {0.1, 0.1, 0.1});
+    scene.addLight({middle + Coord3{0.3, 2.4, -0.5}, {1.0, 0.95, 0.9}, 4.0});
+    scene.add<Box>(middle + Coord3{0.0, -1.0, -2.0}, matt(0.7, 0.7, 0.7), Coord3{5.0, 0.1, 5.0});
+    for (int i = 0; i < 5; ++i)
+      scene
+          .add<Box>(middle + Coord3{0.5 * i - 1.0, -0.6 + 0.1 * i, -1.0 - 0.4 * i},
+                    matt(0.9 - 0.15 * i, 0.4, 0.2 * i), Coord3{0.3, 0.4, 0.2})
+          .setOrientation(YawPitchRoll{0.3 * i, 0.2 * i, 0.1 * i});
+    scene.add<Ellipsoid>(middle + Coord3{0.4, 0.3, -1.2}, Material{{0.2, 0.5, 0.8}, 0.6, 0.0},
+                         Coord3{0.2, 0.2, 0.2}, 24);
+    view = lookingAhead({}, 320, 240);
+    view.t_world_eye = TransformMatrix::translation(middle) * rotation(YawPitchRoll{0.05, -0.15, 0.02});
+  }
+  TestScene scene;
+  EyeView view;
+};
+
+TEST_F(Picture, IsTheSameAThousandKilometresFromTheOrigin) {
+  const Village here({});
+  const Image expected = picture(here.scene, here.view);
+  for (const Coord3& far : {Coord3{1e6, 0.0, 0.0}, Coord3{-6e5, 4e5, 7e5}}) {
+    const Village there(far);
+    EXPECT_LE(shareDiffering(picture(there.scene, there.view), expected, 2), 0.001);
+  }
+  Village aside({});
+  aside.view.t_world_eye.setOrigin({0.01, 0.0, 0.0});
+  EXPECT_GT(shareDiffering(picture(aside.scene, aside.view), expected, 2), 0.01)
+      << "a centimetre would be noticed";
+}
+
+TEST_F(Picture, FollowsWhatMovesAndChangesBetweenFrames) {
+  TestScene scene;
+  VRObject& group = scene.add<Box>({0.0, 0.0, -2.0}, kBlue, Coord3{0.01, 0.01, 0.01});
+  Box child({0.1, 0.1, 0.1});
+  child.setMaterial(kRed);
+  group.addMember(&child);
+  Renderer renderer(scene, kWidth, kHeight);
+  const EyeView view = lookingAhead({}, kWidth, kHeight);
+  for (const Coord3& at : {Coord3{0.0, 0.0, -2.0}, Coord3{0.7, 0.3, -1.5}, Coord3{-0.9, -0.5, -3.0}}) {
+    group.setPosition(at + Coord3{0.1, 0.0, 0.0});
+    child.setPosition(-0.1, 0.0, 0.0);
+    const Spot seen = spot(picture(renderer, {&view, 1}), Red);
+    const PixelPoint expected = projectToPixels(view.view, at, kWidth, kHeight);
+    EXPECT_NEAR(seen.x, expected.x, 1.0);
+    EXPECT_NEAR(seen.y, expected.y, 1.0);
+  }
+  child.setMaterial(kGreen);
+  const Image green = picture(renderer, {&view, 1});
+  EXPECT_EQ(spot(green, Red).light, 0.0);
+  EXPECT_GT(spot(green, Green).light, 0.0);
+}
+
+TEST_F(Picture, EyeMovesThePictureTheOtherWay) {
+  TestScene scene;
+  scene.add<Ellipsoid>({0.2, 1.6, -2.0}, kRed, Coord3{0.05, 0.05, 0.05});
+  Renderer renderer(scene, kWidth, kHeight);
+  EyeView view = lookingAhead({}, kWidth, kHeight);
+  for (const double yaw : {0.0, 0.4, -0.3}) {
+    view.t_world_eye =
+        TransformMatrix::translation({0.0, 1.4, 0.3}) * rotation(YawPitchRoll{yaw, 0.1, 0.5 * yaw});
+    const Spot seen = spot(picture(renderer, {&view, 1}), Red);
+    const Coord3 p_eye = view.t_world_eye.rigidInverse().point({0.2, 1.6, -2.0});
+    const PixelPoint expected = projectToPixels(view.view, p_eye, kWidth, kHeight);
+    EXPECT_NEAR(seen.x, expected.x, 0.2);
+    EXPECT_NEAR(seen.y, expected.y, 0.2);
+  }
+}
+
+}  // namespace
+}  // namespace coherency

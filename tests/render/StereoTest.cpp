@@ -1,0 +1,196 @@
+// Two eyes: never in one place, and every point of the world in their pictures where geometry puts it.
+
+#include <array>
+#include <cmath>
+
+#include "common/math/FixedPoint.h"
+#include "common/motion/SampleGate.h"
+#include "render_client/draw/EyeViews.h"
+#include "tests/render/Support.h"
+
+namespace coherency {
+namespace {
+
+struct Head {
+  Coord3 lean;
+  YawPitchRoll turn;
+  BasePose base;
+};
+
+const std::array<Head, 2> kHeads = {
+    Head{{}, {}, {}},
+    Head{{0.1, 0.05, -0.1}, {0.5, -0.3, 0.2}, {1'500'000'000, 0, -2'000'000'000, 0x2000'0000}}};
+
+/// Puts the scene's operator there, as a received sample would.
+void pose(Scene& scene, const Head& head) {
+  const Rig& rig = scene.human().rig();
+  MasterReading reading;
+  reading.si = neutralPosture(rig);
+  for (const auto& [dof, by] : {std::pair{Dof::HeadX, head.lean.x},
+                                {Dof::HeadY, head.lean.y},
+                                {Dof::HeadZ, head.lean.z},
+                                {Dof::HeadYaw, head.turn.yaw},
+                                {Dof::HeadPitch, head.turn.pitch},
+                                {Dof::HeadRoll, head.turn.roll}})
+    reading.si[index(dof)] += by;
+  const MotionSample sample = SampleGate(neutralPosture(rig)).admit(reading, 1, 0);
+  for (std::size_t i = 0; i < kDofCount; ++i) ASSERT_TRUE(sample.isValid(dofAt(i))) << info(dofAt(i)).name;
+  WorldState state;
+  state.base = head.base;
+  scene.apply(state, sample);
+}
+
+TEST(EyeViews, EyesAreTheRigsEyeDistanceApartAndNeverInOnePlace) {
+  for (const double eye_distance : {0.05, 0.064, 0.075})
+    for (const Head& head : kHeads) {
+      Rig rig;
+      rig.eye_distance = eye_distance;
+      TestScene scene(rig);
+      pose(scene, head);
+      std::vector<EyeView> both;
+      std::vector<EyeView> one;
+      eyeViews(scene, {}, EyeChoice::Both, 64, 48, both);
+      ASSERT_EQ(both.size(), 2U);
+      const Coord3 apart = both[1].t_world_eye.origin() - both[0].t_world_eye.origin();
+      const Coord3 to_the_right = both[0].t_world_eye.vector({1.0, 0.0, 0.0});
+      EXPECT_LT(norm(apart - eye_distance * to_the_right), 1e-12);
+      EXPECT_TRUE(both[0].t_world_eye.linear() == both[1].t_world_eye.linear())
+          << "optical axes are parallel";
+      EXPECT_EQ(both[0].x, 0);
+      EXPECT_EQ(both[1].x, 64);
+
+      eyeViews(scene, {}, EyeChoice::Left, 64, 48, one);
+      ASSERT_EQ(one.size(), 1U);
+      EXPECT_TRUE(one[0].t_world_eye == both[0].t_world_eye);
+      eyeViews(scene, {}, EyeChoice::Right, 64, 48, one);
+      ASSERT_EQ(one.size(), 1U);
+      EXPECT_TRUE(one[0].t_world_eye == both[1].t_world_eye);
+      EXPECT_EQ(one[0].x, 0) << "alone on its own picture";
+      eyeViews(scene, {}, EyeChoice::Mono, 64, 48, one);
+      ASSERT_EQ(one.size(), 1U);
+      EXPECT_LT(norm(one[0].t_world_eye.origin() - both[0].t_world_eye.origin() - 0.5 * apart), 1e-12);
+    }
+}
+
+TEST(EyeViews, TemplesSeeWiderThanTheNose) {
+  TestScene scene;
+  std::vector<EyeView> views;
+  eyeViews(scene, {}, EyeChoice::Both, 64, 48, views);
+  EXPECT_GT(views[0].view.tan_left, views[0].view.tan_right);
+  EXPECT_EQ(views[0].view.tan_left, views[1].view.tan_right);
+  EXPECT_EQ(views[0].view.tan_right, views[1].view.tan_left);
+}
+
+class Stereo : public DrawingTest {};
+
+struct Marker {
+  double distance;  ///< m ahead of the eyes' plane
+  double right;     ///< tangents, as seen from between the eyes
+  double up;
+  Channel channel;
+};
+constexpr std::array<Marker, 3> kMarkers = {Marker{0.5, -0.05, -0.06, Red}, Marker{1.0, 0.13, 0.02, Green},
+                                            Marker{5.0, 0.02, 0.2, Blue}};
+constexpr double kAngularRadius = 0.012;
+
+Coord3 position(const Marker& marker) {
+  return marker.distance * Coord3{marker.right, marker.up, -1.0};
+}
+
+void addMarkers(TestScene& scene) {
+  const TransformMatrix t_world_head = scene.human().eye(Eye::Mono).globalTransform();
+  for (const Marker& marker : kMarkers) {
+    const double radius = kAngularRadius * marker.distance;
+    const Material material = marker.channel == Red ? kRed : marker.channel == Green ? kGreen : kBlue;
+    scene.add<Ellipsoid>(t_world_head.point(position(marker)), material, Coord3{radius, radius, radius});
+  }
+}
+
+/// Where the marker is in both pictures against where it must be, and their difference against the textbook's
+/// disparity.
+void expectMarker(const Marker& marker, const std::vector<EyeView>& views, const Image& image) {
+  const int width = views[0].width;
+  const double half = 0.5 * Rig().eye_distance;
+  std::array<double, 2> seen_x{};
+  for (const int eye : {0, 1}) {
+    const EyeView& view = views[static_cast<std::size_t>(eye)];
+    const Coord3 p_eye = position(marker) + Coord3{eye == 0 ? half : -half, 0.0, 0.0};
+    const PixelPoint expected = projectToPixels(view.view, p_eye, width, view.height);
+    const Spot seen = spot(image, marker.channel, eye * width, (eye + 1) * width);
+    seen_x[static_cast<std::size_t>(eye)] = seen.x - eye * width;
+    EXPECT_NEAR(seen.x - eye * width, expected.x, 0.1) << "eye " << eye << " at " << marker.distance << " m";
+    EXPECT_NEAR(seen.y, expected.y, 0.1) << "eye " << eye << " at " << marker.distance << " m";
+  }
+  // Parallel axes: base over distance in tangents, and the shift of the two asymmetric pictures' edges.
+  const double degree = kTurn / 360.0;
+  const double temple = std::tan(52.0 * degree);
+  const double nose = std::tan(44.0 * degree);
+  const double disparity = (0.064 / marker.distance + temple - nose) * width / (temple + nose);
+  EXPECT_NEAR(seen_x[0] - seen_x[1], disparity, 0.1) << "disparity at " << marker.distance << " m";
+}
+
+void expectMarkersInBothEyes(const Head& head, int width, int height) {
+  TestScene scene;
+  pose(scene, head);
+  addMarkers(scene);
+  std::vector<EyeView> views;
+  eyeViews(scene, {}, EyeChoice::Both, width, height, views);
+  Renderer renderer(scene, 2 * width, height, {.samples = 4});
+  ASSERT_EQ(renderer.samples(), 4);
+  const Image image = picture(renderer, views);
+  for (const Marker& marker : kMarkers) expectMarker(marker, views, image);
+}
+
+TEST_F(Stereo, MarkersAreWhereGeometryPutsThemAt640x480) {
+  for (const Head& head : kHeads) expectMarkersInBothEyes(head, 640, 480);
+}
+
+TEST_F(Stereo, MarkersAreWhereGeometryPutsThemAt1280x1440) {
+  for (const Head& head : kHeads) expectMarkersInBothEyes(head, 1280, 1440);
+}
+
+TEST_F(Stereo, AnEyeAloneSeesWhatItSeesBesideTheOther) {
+  TestScene scene;
+  pose(scene, kHeads[1]);
+  addMarkers(scene);
+  scene.setAmbient({0.2, 0.3, 0.4}, {0.1, 0.1, 0.1});
+  scene.addLight(
+      {scene.human().eye(Eye::Mono).globalTransform().point({0.0, 1.0, 0.0}), {1.0, 1.0, 1.0}, 3.0});
+  scene.add<Box>(scene.human().eye(Eye::Mono).globalTransform().point({0.1, 0.0, -0.6}), matt(0.8, 0.7, 0.6),
+                 Coord3{0.1, 0.2, 0.1});
+  constexpr int kWidth = 200;
+  constexpr int kHeight = 150;
+  const auto seenBy = [&](EyeChoice choice) {
+    std::vector<EyeView> views;
+    eyeViews(scene, {}, choice, kWidth, kHeight, views);
+    Renderer renderer(scene, kWidth * eyeCount(choice), kHeight);
+    return picture(renderer, views);
+  };
+  const Image both = seenBy(EyeChoice::Both);
+  const Image left = seenBy(EyeChoice::Left);
+  const Image right = seenBy(EyeChoice::Right);
+  EXPECT_EQ(shareDiffering(columns(both, 0, kWidth), left, 0), 0.0);
+  EXPECT_EQ(shareDiffering(columns(both, kWidth, 2 * kWidth), right, 0), 0.0);
+  EXPECT_GT(shareDiffering(left, right, 8), 0.01) << "and the two are not the same picture";
+}
+
+TEST_F(Stereo, EdgesAreAveragedInLinearLight) {
+  TestScene scene;
+  addMarkers(scene);
+  std::vector<EyeView> views;
+  eyeViews(scene, {}, EyeChoice::Mono, 640, 480, views);
+  Renderer renderer(scene, 640, 480, {.samples = 4});
+  const Image image = picture(renderer, views);
+  int most = 0;
+  for (std::size_t i = Red; i < image.rgb.size(); i += 3) most = std::max<int>(most, image.rgb[i]);
+  std::array<int, 5> found{};
+  for (std::size_t i = Red; i < image.rgb.size(); i += 3) {
+    const double quarters = 4.0 * linear(image.rgb[i]) / linear(most);
+    ASSERT_NEAR(quarters, std::round(quarters), 0.05) << "four samples make quarters";
+    ++found[static_cast<std::size_t>(std::lround(quarters))];
+  }
+  for (const int count : found) EXPECT_GT(count, 0);
+}
+
+}  // namespace
+}  // namespace coherency
