@@ -14,9 +14,9 @@ struct MasterReading {
   std::int64_t device_time_us = 0;
 };
 
-/// The edge where readings become samples (design, "Faults"): a value that is NaN, infinite or out of its DOF's range
-/// is refused and counted, and the last valid one is held with its validity bit cleared. Before a DOF was ever valid
-/// it holds the neutral posture.
+/// The edge where readings become samples (design, "Faults"): a value that is NaN, infinite or out of its
+/// DOF's range is refused and counted, and the last valid one is held with its validity bit cleared. Before a
+/// DOF was ever valid it holds the neutral posture.
 class SampleGate {
  public:
   explicit SampleGate(const std::array<double, kDofCount>& neutral_si);
