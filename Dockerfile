@@ -16,8 +16,8 @@ RUN apt-get update \
 COPY --from=build /opt/coherency /opt/coherency
 ENV PATH=/opt/coherency/bin:$PATH
 # Nothing here needs root.
-RUN useradd --create-home operator && mkdir /out && chown operator /out
-USER operator
+RUN useradd --create-home coherency && mkdir /out && chown coherency /out
+USER coherency
 VOLUME /out
 WORKDIR /out
 EXPOSE 7430/tcp 7430/udp

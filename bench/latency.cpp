@@ -17,7 +17,7 @@
 
 #include "common/sync/Clock.h"
 #include "motion_server/broadcast/Broadcaster.h"
-#include "motion_server/sampling/DurationHistogram.h"
+#include "common/sync/DurationHistogram.h"
 #include "motion_server/sampling/SamplingThread.h"
 #include "render_client/receive/ServerLink.h"
 

@@ -64,10 +64,7 @@ SessionConfig sessionConfig(const ServerConfig& config) {
   return result;
 }
 
-Spread spreadUs(const DurationHistogram& durations, double minus_us = 0.0) {
-  const auto us = [&](std::int64_t ns) { return static_cast<double>(ns) / 1e3 - minus_us; };
-  return {us(durations.quantile(0.5)), us(durations.quantile(0.99)), us(durations.max())};
-}
+constexpr double kMicrosecond = 1e3;  // ns
 
 }  // namespace
 
@@ -120,8 +117,8 @@ ServerStats MotionServer::stats() const {
   stats.stereo = broadcaster_.stereo();
   if (sampling_) {
     stats.missed = sampling_->jitter().missed.load();
-    stats.period_jitter_us = spreadUs(sampling_->jitter().deviation);
-    stats.lateness_us = spreadUs(sampling_->jitter().lateness);
+    stats.period_jitter_us = spread(sampling_->jitter().deviation, kMicrosecond);
+    stats.lateness_us = spread(sampling_->jitter().lateness, kMicrosecond);
     stats.real_time = sampling_->realTime();
   }
   const std::scoped_lock lock(mutex_);

@@ -1,19 +1,19 @@
 #include "motion_server/StatsReport.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "common/config/ReplaceFile.h"
-#include "common/math/Quantiles.h"
 
 namespace coherency {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json spread(const Spread& s) {
+Json json(const Spread& s) {
   return {{"p50", s.p50}, {"p99", s.p99}, {"max", s.max}};
 }
 
@@ -33,11 +33,12 @@ Json client(const ClientStatus& c) {
 }
 
 Json stereo(const StereoStatus& s) {
-  Quantiles skew;
-  for (const std::int64_t ns : s.present_skew_ns) skew.add(static_cast<double>(ns) / 1e3);
+  DurationHistogram skew;
+  for (const std::int64_t ns : s.present_skew_ns) skew.add(std::abs(ns));
+  const Spread skew_us = spread(skew, 1e3);
   return {{"frames_compared", s.frames_compared},
           {"frames_agreeing", s.frames_agreeing},
-          {"present_skew_us", {{"p50", skew.quantile(0.5)}, {"p99", skew.quantile(0.99)}}}};
+          {"present_skew_us", {{"p50", skew_us.p50}, {"p99", skew_us.p99}}}};
 }
 
 Json refusedByDof(const ServerStats& stats) {
@@ -62,7 +63,7 @@ void writeStatsJson(const std::string& path, const ServerStats& stats) {
   Json clients = Json::array();
   for (const ClientStatus& c : stats.clients) clients.push_back(client(c));
   const RejectCounts& r = stats.rejected;
-  const Json json = {{"master", stats.master},
+  const Json all = {{"master", stats.master},
                      {"scene", stats.scene},
                      {"nominal_rate_hz", stats.nominal_rate_hz},
                      {"rate_hz", rate(stats)},
@@ -70,8 +71,8 @@ void writeStatsJson(const std::string& path, const ServerStats& stats) {
                      {"samples", stats.samples},
                      {"missed", stats.missed},
                      {"real_time", stats.real_time},
-                     {"period_jitter_us", spread(stats.period_jitter_us)},
-                     {"lateness_us", spread(stats.lateness_us)},
+                     {"period_jitter_us", json(stats.period_jitter_us)},
+                     {"lateness_us", json(stats.lateness_us)},
                      {"refused_values", refusedByDof(stats)},
                      {"clients", clients},
                      {"rejected",
@@ -80,7 +81,7 @@ void writeStatsJson(const std::string& path, const ServerStats& stats) {
                        {"oversized", r.oversized},
                        {"version", r.version}}},
                      {"stereo", stereo(stats.stereo)}};
-  replaceFile(path, json.dump(2) + "\n");
+  replaceFile(path, all.dump(2) + "\n");
 }
 
 }  // namespace coherency

@@ -5,15 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "common/sync/DurationHistogram.h"
 #include "motion_server/broadcast/Broadcaster.h"
 
 namespace coherency {
-
-struct Spread {
-  double p50 = 0.0;
-  double p99 = 0.0;
-  double max = 0.0;
-};
 
 /// What a server knows of its own run.
 struct ServerStats {

@@ -13,6 +13,7 @@ namespace coherency {
 namespace {
 
 constexpr std::int64_t kPatienceNs = 50'000'000;  // and a frame: without motion the last pose is shown again
+constexpr double kMillisecond = 1e6;              // ns
 constexpr std::int64_t kStatusNs = 500'000'000;
 constexpr std::int64_t kHintNs = 8'000'000'000;
 
@@ -117,7 +118,7 @@ void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) 
     followSession();
     if (const auto pose = awaitPose(); pose) drawFrame(*pose);
   }
-  if (!options_.snapshot_dir.empty() && options_.snapshot_at_s < 0.0 && stats_.frames > 0)
+  if (!options_.snapshot_dir.empty() && options_.snapshot_at_s < 0.0 && frames_ > 0)
     writeSnapshot(options_.eye);
 }
 
@@ -138,14 +139,13 @@ void RenderClient::drawFrame(const ReceivedPacket& pose) {
 }
 
 void RenderClient::countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented) {
-  ++stats_.frames;
+  ++frames_;
   if (!first_frame_) first_frame_ = presented;
   last_frame_ = presented;
-  stats_.frame_ms.add(static_cast<double>(presented - begun) / 1e6);
+  frame_time_.add(presented - begun);
   const auto server_now = link_.toServer(presented);
   if (server_now && pose.packet.world.tick > drawn_tick_) {
-    const std::int64_t latency = server_now->ns - pose.packet.sample.server_time_ns;
-    stats_.motion_to_present_ms.add(static_cast<double>(latency) / 1e6);
+    motion_to_present_.add(server_now->ns - pose.packet.sample.server_time_ns);
     link_.reportFrame({replica_->sample().sequence, replica_->hash(), server_now->ns});
   }
   drawn_tick_ = pose.packet.world.tick;
@@ -189,12 +189,15 @@ void RenderClient::writeSnapshot(const std::string& name) {
 
 bool RenderClient::finished() const {
   if (stopRequested() || closed_) return true;
-  if (options_.frames > 0 && stats_.frames >= options_.frames) return true;
+  if (options_.frames > 0 && frames_ >= options_.frames) return true;
   return options_.duration_s > 0.0 && static_cast<double>(now() - started_) >= options_.duration_s * 1e9;
 }
 
 ClientStats RenderClient::stats() const {
-  ClientStats stats = stats_;
+  ClientStats stats;
+  stats.frames = frames_;
+  stats.frame_ms = spread(frame_time_, kMillisecond);
+  stats.motion_to_present_ms = spread(motion_to_present_, kMillisecond);
   stats.eye = options_.eye;
   stats.scene = replica_->session().scene;
   stats.renderer = renderer_->rendererName();

@@ -67,7 +67,9 @@ class RenderClient {
   bool closed_ = false;
   bool snapshot_due_ = false;
   int snapshots_ = 0;
-  ClientStats stats_;
+  std::uint64_t frames_ = 0;
+  DurationHistogram frame_time_;
+  DurationHistogram motion_to_present_;
 };
 
 }  // namespace coherency

@@ -8,8 +8,8 @@
 namespace coherency {
 namespace {
 
-nlohmann::ordered_json quantiles(const Quantiles& values) {
-  return {{"p50", values.quantile(0.5)}, {"p99", values.quantile(0.99)}, {"max", values.max()}};
+nlohmann::ordered_json json(const Spread& s) {
+  return {{"p50", s.p50}, {"p99", s.p99}, {"max", s.max}};
 }
 
 std::string clockText(const LinkStats& link) {
@@ -25,30 +25,30 @@ std::string statusLine(const ClientStats& stats) {
     return fmt::format("{} eye: no server for {:.1f} s, holding the last pose", stats.eye,
                        stats.motion_age_ms / 1e3);
   return fmt::format("{} eye: {:.1f} fps, frame {:.1f} ms, motion to picture {:.1f} ms, lost {}, {}",
-                     stats.eye, stats.fps, stats.frame_ms.quantile(0.5),
-                     stats.motion_to_present_ms.quantile(0.5), stats.link.lost, clockText(stats.link));
+                     stats.eye, stats.fps, stats.frame_ms.p50,
+                     stats.motion_to_present_ms.p50, stats.link.lost, clockText(stats.link));
 }
 
 std::string overlayText(const ClientStats& stats) {
   return fmt::format(
       "{} eye  {}  {:.1f} fps\nframe {:.1f} ms  motion to picture {:.1f} ms\n"
       "packets {}  lost {}  recovered {}\n{}",
-      stats.eye, stats.scene, stats.fps, stats.frame_ms.quantile(0.5),
-      stats.motion_to_present_ms.quantile(0.5), stats.link.received, stats.link.lost, stats.link.recovered,
+      stats.eye, stats.scene, stats.fps, stats.frame_ms.p50,
+      stats.motion_to_present_ms.p50, stats.link.received, stats.link.lost, stats.link.recovered,
       clockText(stats.link));
 }
 
 void writeStatsJson(const std::string& path, const ClientStats& stats) {
   const LinkStats& link = stats.link;
-  nlohmann::ordered_json json = {{"eye", stats.eye},
+  nlohmann::ordered_json all = {{"eye", stats.eye},
                                  {"scene", stats.scene},
                                  {"size", {stats.width, stats.height}},
                                  {"samples", stats.samples},
                                  {"frames", stats.frames},
                                  {"fps", stats.fps},
                                  {"first_frame_ms", stats.first_frame_ms},
-                                 {"frame_ms", quantiles(stats.frame_ms)},
-                                 {"motion_to_present_ms", quantiles(stats.motion_to_present_ms)},
+                                 {"frame_ms", json(stats.frame_ms)},
+                                 {"motion_to_present_ms", json(stats.motion_to_present_ms)},
                                  {"motion_age_ms", stats.motion_age_ms},
                                  {"connections", link.connections},
                                  {"packets",
@@ -60,9 +60,9 @@ void writeStatsJson(const std::string& path, const ClientStats& stats) {
                                  {"replica", {{"hash_mismatches", stats.hash_mismatches}}},
                                  {"renderer", stats.renderer}};
   if (link.clock_known)
-    json["clock"] = {{"offset_us", static_cast<double>(link.clock_offset_ns) / 1e3},
+    all["clock"] = {{"offset_us", static_cast<double>(link.clock_offset_ns) / 1e3},
                      {"bound_us", static_cast<double>(link.clock_bound_ns) / 1e3}};
-  replaceFile(path, json.dump(2) + "\n");
+  replaceFile(path, all.dump(2) + "\n");
 }
 
 }  // namespace coherency

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "common/math/Quantiles.h"
+#include "common/sync/DurationHistogram.h"
 #include "render_client/receive/ServerLink.h"
 
 namespace coherency {
@@ -20,8 +20,8 @@ struct ClientStats {
   double fps = 0.0;                ///< over the whole run, from the first frame on
   double first_frame_ms = 0.0;     ///< from the program's start
   double motion_age_ms = 0.0;      ///< of the newest packet, now
-  Quantiles frame_ms;              ///< pose to picture complete
-  Quantiles motion_to_present_ms;  ///< sampling on the server to picture complete here
+  Spread frame_ms;                 ///< pose to picture complete
+  Spread motion_to_present_ms;     ///< sampling on the server to picture complete here
   std::uint64_t hash_mismatches = 0;
   LinkStats link;
 };

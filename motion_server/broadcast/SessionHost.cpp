@@ -29,7 +29,7 @@ SessionHost::SessionHost(const BroadcastConfig& config, const SessionConfig& ses
 }
 
 std::optional<std::uint32_t> SessionHost::open(const std::string& address, ServerTime now) {
-  if (clients_.size() >= static_cast<std::size_t>(config_.max_clients + kStrangers)) return std::nullopt;
+  if (clients_.size() >= static_cast<std::size_t>(config_.max_clients) + kStrangers) return std::nullopt;
   const std::uint32_t id = next_id_++;
   Client client(now);
   client.status.id = id;

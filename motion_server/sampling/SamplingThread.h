@@ -6,7 +6,7 @@
 #include <functional>
 #include <thread>
 
-#include "motion_server/sampling/DurationHistogram.h"
+#include "common/sync/DurationHistogram.h"
 
 namespace coherency {
 

@@ -130,11 +130,11 @@ TEST_F(SessionHostTest, AFullHouseSaysSoAndHasRoomAgainWhenOneLeaves) {
 }
 
 TEST_F(SessionHostTest, StrangersCannotTakeAllThePlaces) {
-  int opened = 0;
+  std::size_t opened = 0;
   while (host_.open("a:1", now_)) ++opened;
   EXPECT_EQ(opened, 3 + SessionHost::kStrangers);
   now_ = now_ + config().silence_ns;
-  EXPECT_EQ(host_.expired(now_).size(), static_cast<std::size_t>(opened));
+  EXPECT_EQ(host_.expired(now_).size(), opened);
 }
 
 TEST_F(SessionHostTest, WhatHasNoPlaceEndsTheConnection) {

@@ -8,7 +8,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "common/sync/Clock.h"
-#include "motion_server/sampling/DurationHistogram.h"
+#include "common/sync/DurationHistogram.h"
 #include "motion_server/sampling/SamplingSchedule.h"
 #include "motion_server/sampling/SamplingThread.h"
 

@@ -29,4 +29,12 @@ class DurationHistogram {
   std::atomic<std::int64_t> max_{0};
 };
 
+/// What statistics tell of a duration, in the unit asked for.
+struct Spread {
+  double p50 = 0.0;
+  double p99 = 0.0;
+  double max = 0.0;
+};
+Spread spread(const DurationHistogram& durations, double unit_ns);
+
 }  // namespace coherency

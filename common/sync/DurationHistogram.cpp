@@ -1,4 +1,4 @@
-#include "motion_server/sampling/DurationHistogram.h"
+#include "common/sync/DurationHistogram.h"
 
 #include <algorithm>
 #include <bit>
@@ -38,6 +38,11 @@ std::int64_t DurationHistogram::quantile(double q) const {
     if (seen >= wanted) return std::min(max(), static_cast<std::int64_t>(upperEdge(i)));
   }
   return 0;
+}
+
+Spread spread(const DurationHistogram& durations, double unit_ns) {
+  const auto in_unit = [&](std::int64_t ns) { return static_cast<double>(ns) / unit_ns; };
+  return {in_unit(durations.quantile(0.5)), in_unit(durations.quantile(0.99)), in_unit(durations.max())};
 }
 
 }  // namespace coherency
