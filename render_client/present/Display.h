@@ -35,7 +35,8 @@ class Display {
   /// its vertical sync; headless waits for the drawing to be complete).
   virtual void present() = 0;
   virtual bool hasWindow() const = 0;
-  /// Framebuffer's size in pixels, which a window may change. Never 0.
+  /// Framebuffer's size in pixels, which a window may change; its width is never below 2, so that two eyes
+  /// fit.
   virtual int width() const = 0;
   virtual int height() const = 0;
 };

@@ -86,6 +86,10 @@ class HeadlessDisplay : public Display {
     if (width_ < 1 || height_ < 1)
       throw std::runtime_error("a picture of " + std::to_string(width_) + "x" + std::to_string(height_) +
                                " pixels cannot be drawn; both must be 1 or more");
+    if (!epoxy_has_egl())  // asking anything else of EGL would end the process
+      throw std::runtime_error(
+          "no EGL to draw with headless (libEGL.so.1 cannot be loaded); install libegl1 and Mesa "
+          "(libgl1-mesa-dri) or a graphics driver with EGL");
     std::string found;
     for (const Candidate& candidate : candidates()) {
       const std::string fault = open(candidate);

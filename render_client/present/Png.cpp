@@ -1,6 +1,7 @@
 #include "render_client/present/Png.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -13,6 +14,8 @@ namespace coherency {
 namespace {
 
 constexpr png_uint_32 kLargestSide = 32768;
+constexpr std::uint64_t kMostPixels =
+    1U << 27U;  ///< what a file claims is allocated before it is seen to be true
 
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -91,6 +94,11 @@ Image read(std::FILE* file, PngText* text) {
   png_init_io(reader.png, file);
   png_set_user_limits(reader.png, kLargestSide, kLargestSide);
   png_read_info(reader.png, reader.info);
+  const std::uint64_t pixels = std::uint64_t{png_get_image_width(reader.png, reader.info)} *
+                               png_get_image_height(reader.png, reader.info);
+  if (pixels > kMostPixels)
+    throw std::runtime_error("it claims " + std::to_string(pixels) + " pixels; at most " +
+                             std::to_string(kMostPixels) + " are read");
   png_set_expand(reader.png);
   png_set_scale_16(reader.png);
   png_set_strip_alpha(reader.png);

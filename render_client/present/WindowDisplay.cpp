@@ -145,9 +145,9 @@ class WindowDisplay : public Display {
 
   static void onSize(GLFWwindow* window, int width, int height) { self(window).setSize(width, height); }
 
-  /// A minimised window has no size; it is drawn one pixel large.
+  /// A minimised window has no size; it is drawn with one pixel for each of two eyes.
   void setSize(int width, int height) {
-    width_ = std::max(width, 1);
+    width_ = std::max(width, 2);
     height_ = std::max(height, 1);
   }
 

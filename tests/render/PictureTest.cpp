@@ -169,6 +169,20 @@ TEST_F(Picture, IsTheSameAThousandKilometresFromTheOrigin) {
       << "a centimetre would be noticed";
 }
 
+TEST_F(Picture, ShapesMayLieFarFromTheirOwnFrame) {
+  const auto seen = [](double away) {
+    TestScene scene;
+    const auto corner = [&](double x, double y) { return Coord3{away + x, y, -2.0 - away}; };
+    scene.add<Polygon>({-away, 0.0, away}, kRed,
+                       std::vector{corner(0.1, 0.2), corner(0.9, 0.3), corner(0.8, 0.7), corner(0.2, 0.6)});
+    return picture(scene, lookingAhead({}, kWidth, kHeight));
+  };
+  const Image near = seen(0.0);
+  EXPECT_GT(spot(near, Red).x, kWidth / 2) << "to the right and above";
+  EXPECT_LT(spot(near, Red).y, kHeight / 2);
+  EXPECT_LE(shareDiffering(seen(1e6), near, 2), 0.001);
+}
+
 TEST_F(Picture, FollowsWhatMovesAndChangesBetweenFrames) {
   TestScene scene;
   VRObject& group = scene.add<Box>({0.0, 0.0, -2.0}, kBlue, Coord3{0.01, 0.01, 0.01});

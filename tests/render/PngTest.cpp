@@ -92,6 +92,13 @@ TEST_F(Png, RefusesWhatIsNoPicture) {
   expectUnreadable(file("folder.png"));
 }
 
+TEST_F(Png, RefusesASizeThatWouldTakeAllMemory) {
+  std::string huge("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x80\0\0\0\x80\0\x08\x02\0\0\0", 29);
+  huge += std::string("\x4b\x1e\x34\x28", 4);                 // the header's checksum
+  huge += std::string("\0\0\0\1IDAT\0\x28\x38\x7d\xe8", 13);  // as many pixels as fit into a byte
+  expectUnreadable(written("huge.png", huge), "1073741824 pixels");
+}
+
 TEST_F(Png, RefusesEveryFileCutShort) {
   writePng(file("whole.png"), rainbow(8, 4), {{"scene", "test"}});
   const std::string whole = bytes(file("whole.png"));

@@ -2,8 +2,11 @@
 // complaint.
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include <epoxy/gl.h>
+#include <unistd.h>
 
 #include "tests/render/Support.h"
 
@@ -249,6 +252,16 @@ TEST_F(MissingDriver, NoDriverIsAnErrorThatNamesTheRemedy) {
   hide("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent");
   EXPECT_EXIT(complainOfDisplay(), testing::ExitedWithCode(1),
               "no OpenGL 4.5 to draw with headless.*install Mesa");
+}
+
+TEST_F(MissingDriver, NoEglLibraryIsAnErrorThatNamesTheRemedy) {
+  const std::string folder = testing::TempDir() + "coherency_no_egl_" + std::to_string(::getpid());
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/libEGL.so.1").close();  // found before the real one, and no library
+  hide("LD_LIBRARY_PATH", folder);
+  EXPECT_EXIT(complainOfDisplay(), testing::ExitedWithCode(1),
+              "no EGL to draw with headless.*install libegl1");
+  std::filesystem::remove_all(folder);
 }
 
 TEST_F(MissingDriver, AnOldDriverIsAnErrorThatNamesItsVersion) {

@@ -102,7 +102,7 @@ void addMarkers(TestScene& scene) {
   for (const Marker& marker : kMarkers) {
     const double radius = kAngularRadius * marker.distance;
     const Material material = marker.channel == Red ? kRed : marker.channel == Green ? kGreen : kBlue;
-    scene.add<Ellipsoid>(t_world_head.point(position(marker)), material, Coord3{radius, radius, radius});
+    scene.add<Ellipsoid>(t_world_head.point(position(marker)), material, Coord3{radius, radius, radius}, 64);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include "render_client/draw/EyeViews.h"
 #include "tests/render/Support.h"
 
 namespace coherency {
@@ -89,6 +90,22 @@ TEST(Window, ShowsThePictureThatHeadlessDraws) {
     differing = shareDiffering(readScreen(screen, kWidth, kHeight), expected, 2);
   }
   EXPECT_LE(differing, 0.001) << "on the screen";
+}
+
+TEST(Window, NarrowerThanTwoEyesStillHasAPixelForEach) {
+  TestScene scene;
+  DisplayConfig config;
+  config.width = 1;
+  config.height = 1;
+  const auto window = makeWindowDisplay(config);
+  ASSERT_GE(window->width(), 2);
+  std::vector<EyeView> views;
+  eyeViews(scene, {}, EyeChoice::Both, window->width() / 2, window->height(), views);
+  Renderer renderer(scene, window->width(), window->height());
+  renderer.draw(views);
+  renderer.present(window->width(), window->height());
+  window->present();
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(Recording, TellsWhichDofsWereMeasured) {
 }
 
 TEST(Recording, ErrorsNameThePlace) {
-  expectError("", "0:1", "empty");
+  expectError("", "1:1", "empty");
   expectError(kRecordingHeader + "\n", "1:1", "no rows");
   expectError("time,x\n", "1:1", "must be 't_s'");
   expectError("t_s,head_x_m\n", "1:13", "'head_y_m' is missing");
