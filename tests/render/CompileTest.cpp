@@ -137,6 +137,9 @@ TEST(MeshBuilder, CreaseAngleDecidesWhichEdgesAreSharp) {
 
 TEST(MeshBuilder, NormalsDoNotDependOnHowFacesAreCutIntoTriangles) {
   FaceSet cube = *Box().faces();
+  const std::vector<std::uint32_t> square = cube.faces.front();
+  cube.faces.front() = {square[0], square[1], square[2]};
+  cube.faces.push_back({square[0], square[2], square[3]});
   cube.smooth = true;
   cube.crease_angle = 2.0;
   const Mesh mesh = buildMesh(cube);

@@ -121,6 +121,9 @@ void buildSymmetric(TestScene& scene, double x_scale) {
   scene.add<Box>({-0.7, -0.4, -3.0}, matt(0.8, 0.3, 0.2), Coord3{0.6, 0.8, 0.4}).setOrientation(turned);
   scene.add<Ellipsoid>({0.6, -0.5, -2.5}, Material{{0.2, 0.5, 0.8}, 0.6, 0.0}, Coord3{0.4, 0.3, 0.5}, 24)
       .setOrientation(turned);
+  scene.add<Rectangle>({0.1, 0.2, -2.0}, matt(0.8, 0.8, 0.2), 0.5, 0.3)
+      .setOrientation(TransformMatrix::rotationX(-0.25 * kTurn) *
+                      TransformMatrix::scaling({x_scale, 1.0, 1.0}));
   scene.add<Cylinder>({0.1, -0.4, -3.8}, matt(0.3, 0.7, 0.3), 0.4, 1.2, 24);
 }
 

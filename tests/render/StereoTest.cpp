@@ -81,6 +81,17 @@ TEST(EyeViews, TemplesSeeWiderThanTheNose) {
   EXPECT_EQ(views[0].view.tan_right, views[1].view.tan_left);
 }
 
+TEST(EyeViews, PixelsAreSquareWhateverThePicturesShape) {
+  TestScene scene;
+  std::vector<EyeView> views;
+  for (const auto& [width, height] : {std::pair{640, 480}, {1280, 1440}, {100, 300}}) {
+    eyeViews(scene, {}, EyeChoice::Both, width, height, views);
+    for (const EyeView& eye : views)
+      EXPECT_NEAR((eye.view.tan_left + eye.view.tan_right) / width,
+                  (eye.view.tan_down + eye.view.tan_up) / height, 1e-12);
+  }
+}
+
 class Stereo : public DrawingTest {};
 
 struct Marker {
