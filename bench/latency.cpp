@@ -16,8 +16,8 @@
 #include <unistd.h>
 
 #include "common/sync/Clock.h"
-#include "motion_server/broadcast/Broadcaster.h"
 #include "common/sync/DurationHistogram.h"
+#include "motion_server/broadcast/Broadcaster.h"
 #include "motion_server/sampling/SamplingThread.h"
 #include "render_client/receive/ServerLink.h"
 

@@ -64,23 +64,23 @@ void writeStatsJson(const std::string& path, const ServerStats& stats) {
   for (const ClientStatus& c : stats.clients) clients.push_back(client(c));
   const RejectCounts& r = stats.rejected;
   const Json all = {{"master", stats.master},
-                     {"scene", stats.scene},
-                     {"nominal_rate_hz", stats.nominal_rate_hz},
-                     {"rate_hz", rate(stats)},
-                     {"duration_s", stats.duration_s},
-                     {"samples", stats.samples},
-                     {"missed", stats.missed},
-                     {"real_time", stats.real_time},
-                     {"period_jitter_us", json(stats.period_jitter_us)},
-                     {"lateness_us", json(stats.lateness_us)},
-                     {"refused_values", refusedByDof(stats)},
-                     {"clients", clients},
-                     {"rejected",
-                      {{"malformed", r.malformed},
-                       {"foreign", r.foreign},
-                       {"oversized", r.oversized},
-                       {"version", r.version}}},
-                     {"stereo", stereo(stats.stereo)}};
+                    {"scene", stats.scene},
+                    {"nominal_rate_hz", stats.nominal_rate_hz},
+                    {"rate_hz", rate(stats)},
+                    {"duration_s", stats.duration_s},
+                    {"samples", stats.samples},
+                    {"missed", stats.missed},
+                    {"real_time", stats.real_time},
+                    {"period_jitter_us", json(stats.period_jitter_us)},
+                    {"lateness_us", json(stats.lateness_us)},
+                    {"refused_values", refusedByDof(stats)},
+                    {"clients", clients},
+                    {"rejected",
+                     {{"malformed", r.malformed},
+                      {"foreign", r.foreign},
+                      {"oversized", r.oversized},
+                      {"version", r.version}}},
+                    {"stereo", stereo(stats.stereo)}};
   replaceFile(path, all.dump(2) + "\n");
 }
 

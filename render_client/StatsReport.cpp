@@ -25,43 +25,42 @@ std::string statusLine(const ClientStats& stats) {
     return fmt::format("{} eye: no server for {:.1f} s, holding the last pose", stats.eye,
                        stats.motion_age_ms / 1e3);
   return fmt::format("{} eye: {:.1f} fps, frame {:.1f} ms, motion to picture {:.1f} ms, lost {}, {}",
-                     stats.eye, stats.fps, stats.frame_ms.p50,
-                     stats.motion_to_present_ms.p50, stats.link.lost, clockText(stats.link));
+                     stats.eye, stats.fps, stats.frame_ms.p50, stats.motion_to_present_ms.p50,
+                     stats.link.lost, clockText(stats.link));
 }
 
 std::string overlayText(const ClientStats& stats) {
   return fmt::format(
       "{} eye  {}  {:.1f} fps\nframe {:.1f} ms  motion to picture {:.1f} ms\n"
       "packets {}  lost {}  recovered {}\n{}",
-      stats.eye, stats.scene, stats.fps, stats.frame_ms.p50,
-      stats.motion_to_present_ms.p50, stats.link.received, stats.link.lost, stats.link.recovered,
-      clockText(stats.link));
+      stats.eye, stats.scene, stats.fps, stats.frame_ms.p50, stats.motion_to_present_ms.p50,
+      stats.link.received, stats.link.lost, stats.link.recovered, clockText(stats.link));
 }
 
 void writeStatsJson(const std::string& path, const ClientStats& stats) {
   const LinkStats& link = stats.link;
   nlohmann::ordered_json all = {{"eye", stats.eye},
-                                 {"scene", stats.scene},
-                                 {"size", {stats.width, stats.height}},
-                                 {"samples", stats.samples},
-                                 {"frames", stats.frames},
-                                 {"fps", stats.fps},
-                                 {"first_frame_ms", stats.first_frame_ms},
-                                 {"frame_ms", json(stats.frame_ms)},
-                                 {"motion_to_present_ms", json(stats.motion_to_present_ms)},
-                                 {"motion_age_ms", stats.motion_age_ms},
-                                 {"connections", link.connections},
-                                 {"packets",
-                                  {{"received", link.received},
-                                   {"lost", link.lost},
-                                   {"recovered", link.recovered},
-                                   {"reordered", link.reordered},
-                                   {"rejected", link.rejected}}},
-                                 {"replica", {{"hash_mismatches", stats.hash_mismatches}}},
-                                 {"renderer", stats.renderer}};
+                                {"scene", stats.scene},
+                                {"size", {stats.width, stats.height}},
+                                {"samples", stats.samples},
+                                {"frames", stats.frames},
+                                {"fps", stats.fps},
+                                {"first_frame_ms", stats.first_frame_ms},
+                                {"frame_ms", json(stats.frame_ms)},
+                                {"motion_to_present_ms", json(stats.motion_to_present_ms)},
+                                {"motion_age_ms", stats.motion_age_ms},
+                                {"connections", link.connections},
+                                {"packets",
+                                 {{"received", link.received},
+                                  {"lost", link.lost},
+                                  {"recovered", link.recovered},
+                                  {"reordered", link.reordered},
+                                  {"rejected", link.rejected}}},
+                                {"replica", {{"hash_mismatches", stats.hash_mismatches}}},
+                                {"renderer", stats.renderer}};
   if (link.clock_known)
     all["clock"] = {{"offset_us", static_cast<double>(link.clock_offset_ns) / 1e3},
-                     {"bound_us", static_cast<double>(link.clock_bound_ns) / 1e3}};
+                    {"bound_us", static_cast<double>(link.clock_bound_ns) / 1e3}};
   replaceFile(path, all.dump(2) + "\n");
 }
 

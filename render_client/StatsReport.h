@@ -17,11 +17,11 @@ struct ClientStats {
   int height = 0;
   int samples = 0;
   std::uint64_t frames = 0;
-  double fps = 0.0;                ///< over the whole run, from the first frame on
-  double first_frame_ms = 0.0;     ///< from the program's start
-  double motion_age_ms = 0.0;      ///< of the newest packet, now
-  Spread frame_ms;                 ///< pose to picture complete
-  Spread motion_to_present_ms;     ///< sampling on the server to picture complete here
+  double fps = 0.0;             ///< over the whole run, from the first frame on
+  double first_frame_ms = 0.0;  ///< from the program's start
+  double motion_age_ms = 0.0;   ///< of the newest packet, now
+  Spread frame_ms;              ///< pose to picture complete
+  Spread motion_to_present_ms;  ///< sampling on the server to picture complete here
   std::uint64_t hash_mismatches = 0;
   LinkStats link;
 };

@@ -14,8 +14,10 @@ struct Drawable {
   std::uint32_t node;    ///< for CompiledScene::worldTransform()
   Coord3 origin;         ///< of its vertices, in the object's frame (Mesh::origin): the middle of its box
   Coord3 half_extent;    ///< of the box about them, in the object's axes
-  std::uint32_t first_index;
+  std::uint32_t first_index;  ///< triangles dense enough to be lit at their vertices
   std::uint32_t index_count;
+  std::uint32_t first_plain;  ///< the same surface in no more triangles than its shape needs: for shadows
+  std::uint32_t plain_count;
   std::uint32_t first_vertex;
 };
 

@@ -14,8 +14,9 @@ class DrawCommands {
   explicit DrawCommands(std::size_t capacity);
 
   void clear();
+  enum class Triangles { Lit, Plain };
   /// `number` is the drawable's place in CompiledScene::drawables(). No more than `capacity`.
-  void add(const Drawable& drawable, std::size_t number, bool mirrored);
+  void add(const Drawable& drawable, Triangles which, std::size_t number, bool mirrored);
   void upload();
   /// With the scene's buffers bound; culling as the caller has set it. Leaves GL_CCW as the front face.
   void draw() const;

@@ -140,7 +140,9 @@ std::string Renderer::rendererName() const {
   return glText(GL_RENDERER);
 }
 std::size_t Renderer::triangleCount() const {
-  return gl_->compiled.indices().size() / 3;
+  std::size_t triangles = 0;
+  for (const Drawable& drawable : gl_->compiled.drawables()) triangles += drawable.index_count / 3;
+  return triangles;
 }
 std::size_t Renderer::objectCount() const {
   return gl_->compiled.drawables().size();

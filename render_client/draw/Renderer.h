@@ -37,7 +37,7 @@ class Renderer {
   void resize(int width, int height);
   int samples() const;               ///< a pixel, as the driver has them
   std::string rendererName() const;  ///< as GL_RENDERER has it
-  std::size_t triangleCount() const;
+  std::size_t triangleCount() const;  ///< in a view, large faces cut for lighting
   std::size_t objectCount() const;  ///< that show faces
 
  private:

@@ -9,9 +9,9 @@ namespace coherency {
 
 inline constexpr std::size_t kMaxLights = 8;
 
-extern const char* const kSceneVertexShader;
 /// Lighting by the first `lights` (at most kMaxLights) lights, the first of them with shadows where asked
 /// for.
+std::string sceneVertexShader(std::size_t lights, bool shadows);
 std::string sceneFragmentShader(std::size_t lights, bool shadows);
 extern const char* const kShadowVertexShader;
 extern const char* const kShadowFragmentShader;

@@ -18,6 +18,14 @@ constexpr double kNear = 0.1;
 constexpr double kShines = 0.5;
 constexpr double kFlat = 1e-9;
 
+/// Floor, walls and ceiling, and the world outside: they surround what casts shadows and only receive them.
+/// They would fill the whole map.
+bool isShell(const Drawable& drawable, const TransformMatrix& t_world_object) {
+  constexpr double kShell = 4.0;  // m
+  const Coord3& half = drawable.half_extent;
+  return 2.0 * std::max({half.x, half.y, half.z}) * t_world_object.maxScale() > kShell;
+}
+
 int checkedResolution(int resolution) {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
@@ -39,8 +47,10 @@ ShadowMap::ShadowMap(int resolution, std::size_t drawable_count)
   glTextureStorage2D(texture, 1, GL_DEPTH_COMPONENT32F, resolution, resolution);
   glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  const float infinitely_far[4] = {0.0F, 0.0F, 0.0F, 0.0F};  // outside the map nothing is in shadow
+  glTextureParameterfv(texture, GL_TEXTURE_BORDER_COLOR, infinitely_far);
   glTextureParameteri(texture, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTextureParameteri(texture, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
   glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, texture, 0);
@@ -56,10 +66,12 @@ void ShadowMap::fill(const CompiledScene& scene) {
     const Drawable& drawable = scene.drawables()[i];
     const TransformMatrix& t_world_object = scene.worldTransform(drawable);
     const double hand = handedness(t_world_object);
-    if (drawable.faces->material.emission >= kShines || std::abs(hand) < kFlat) continue;
+    if (drawable.faces->material.emission >= kShines || std::abs(hand) < kFlat ||
+        isShell(drawable, t_world_object))
+      continue;
     matrices_[i] =
         glm::mat4(projection_.glm() * eyeFromMesh(t_world_light_, t_world_object, drawable.origin));
-    commands_.add(drawable, i, hand < 0.0);
+    commands_.add(drawable, DrawCommands::Triangles::Plain, i, hand < 0.0);
   }
   commands_.upload();
   glNamedBufferSubData(matrices_buffer_.name(), 0,

@@ -51,7 +51,7 @@ struct ViewBlock {
 }  // namespace
 
 ViewPass::ViewPass(std::size_t drawable_count, std::size_t light_count, bool shadows)
-    : program_(makeProgram("scene", kSceneVertexShader,
+    : program_(makeProgram("scene", sceneVertexShader(std::min(light_count, kMaxLights), shadows).c_str(),
                            sceneFragmentShader(std::min(light_count, kMaxLights), shadows).c_str())),
       commands_(drawable_count),
       objects_(drawable_count),
@@ -82,7 +82,8 @@ void ViewPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t 
   std::sort(shown_.begin(), shown_.end(),
             [](const Shown& a, const Shown& b) { return a.distance < b.distance; });
   commands_.clear();
-  for (const Shown& s : shown_) commands_.add(scene.drawables()[s.drawable], s.drawable, s.mirrored);
+  for (const Shown& s : shown_)
+    commands_.add(scene.drawables()[s.drawable], DrawCommands::Triangles::Lit, s.drawable, s.mirrored);
   commands_.upload();
 }
 

@@ -1,12 +1,16 @@
 // Shapes and trees made ready for drawing; needs no OpenGL.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "common/scene/Primitives.h"
 #include "render_client/compile/CompiledScene.h"
+#include "render_client/compile/Refine.h"
 
 namespace coherency {
 namespace {
@@ -220,12 +224,49 @@ TEST(CompiledScene, FollowsTheTree) {
     EXPECT_EQ(drawable.faces, object->faces());
     EXPECT_TRUE(scene.worldTransform(drawable) == object->globalTransform()) << object->name();
   }
-  EXPECT_EQ(drawables[0].index_count, 36U);
-  EXPECT_EQ(drawables[1].first_index, 36U);
+  EXPECT_EQ(drawables[0].plain_count, 36U);
+  EXPECT_GE(drawables[0].index_count, 36U);
+  EXPECT_EQ(drawables[1].first_plain, drawables[0].first_index + drawables[0].index_count);
   EXPECT_EQ(scene.indices().size(), drawables[1].first_index + drawables[1].index_count);
   for (std::uint32_t i = 0; i < drawables[1].index_count; ++i)
     EXPECT_LT(drawables[1].first_vertex + scene.indices()[drawables[1].first_index + i],
               scene.vertices().size());
+}
+
+/// Every edge of the surface is shared by two triangles that run along it in opposite directions.
+bool isClosed(const Mesh& mesh) {
+  std::map<std::array<float, 6>, int> edges;
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+    const float* a = mesh.vertices[mesh.indices[i]].position;
+    const float* b = mesh.vertices[mesh.indices[next]].position;
+    ++edges[{a[0], a[1], a[2], b[0], b[1], b[2]}];
+    --edges[{b[0], b[1], b[2], a[0], a[1], a[2]}];
+  }
+  return std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+TEST(Refine, CutsEveryLongEdgeAndOpensNoGap) {
+  Box box({3.0, 0.2, 1.1});
+  Mesh mesh = buildMesh(*box.faces());
+  const std::size_t before = mesh.indices.size();
+  refine(mesh, 0.4);
+  EXPECT_GT(mesh.indices.size(), before);
+  EXPECT_TRUE(isClosed(mesh));
+  double area = 0.0;
+  for (const Triangle& t : triangles(mesh)) {
+    area += norm(t.area);
+    for (int c = 0; c < 3; ++c) EXPECT_LE(norm(t.corner[c] - t.corner[(c + 1) % 3]), 0.4 + 1e-6);
+  }
+  EXPECT_NEAR(area, 2.0 * (3.0 * 0.2 + 3.0 * 1.1 + 0.2 * 1.1), 1e-5);
+}
+
+TEST(Refine, LeavesWhatIsFineEnough) {
+  Mesh mesh = buildMesh(*Box({0.2, 0.2, 0.2}).faces());
+  const auto before = mesh.indices;
+  refine(mesh, 0.4);
+  EXPECT_EQ(mesh.indices.size(), before.size());
+  EXPECT_EQ(mesh.vertices.size(), 24U);
 }
 
 }  // namespace

@@ -134,7 +134,8 @@ TEST_F(Picture, MirroredShapesShowTheirOutsideLitAndShadowingAsUprightOnes) {
   buildSymmetric(mirrored, -1.0);
   const EyeView view = lookingAhead({}, 320, 240);
   const Image expected = picture(upright, view);
-  EXPECT_LE(shareDiffering(picture(mirrored, view), expected, 2), 0.001);
+  // Light between vertices depends a little on which way a face's diagonal runs.
+  EXPECT_LE(shareDiffering(picture(mirrored, view), expected, 2), 0.004);
   EXPECT_GT(shareDiffering(picture(upright, view, {.shadows = false}), expected, 8), 0.01)
       << "there are shadows";
 }
