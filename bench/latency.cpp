@@ -25,7 +25,7 @@ namespace {
 
 using namespace coherency;
 
-constexpr std::size_t kBareBytes = 368;  // what a motion packet with two redundant samples has
+constexpr std::size_t kBareBytes = 336;  // no more than a motion packet with two redundant samples has
 
 int udpSocket() {
   const int fd = socket(AF_INET, SOCK_DGRAM, 0);

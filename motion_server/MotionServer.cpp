@@ -32,8 +32,8 @@ std::unique_ptr<Scene> sceneOf(const ServerConfig& config) {
 std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scene) {
   if (config.master == "replay") {
     const ReplayOptions how{config.loop, config.seated ? HeadHeight::Seated : HeadHeight::Recorded};
-    Recording recording = orConfigError([&] { return readRecording(config.recording); });
-    return std::make_unique<ReplayMaster>(std::move(recording), config.rig, how);
+    return orConfigError(
+        [&] { return std::make_unique<ReplayMaster>(readRecording(config.recording), config.rig, how); });
   }
   return std::make_unique<SimulatedMaster>(
       SimulatedMaster::Task{scene.targets(), scene.workplace(), scene.start()}, config.rig, config.seed);

@@ -36,11 +36,11 @@ class MotionServer {
   std::unique_ptr<Master> master_;
   Authority authority_;
   Broadcaster broadcaster_;
-  std::unique_ptr<SamplingThread> sampling_;
   mutable std::mutex mutex_;  ///< over what the sampling thread leaves for stats()
   std::uint64_t samples_ = 0;
   std::int64_t elapsed_ns_ = 0;
   std::array<std::uint64_t, kDofCount> refused_{};
+  std::unique_ptr<SamplingThread> sampling_;  ///< last, so that it ends before what it uses
 };
 
 }  // namespace coherency

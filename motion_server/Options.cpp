@@ -5,12 +5,13 @@
 
 #include "common/config/ConfigError.h"
 #include "common/config/Endpoint.h"
+#include "common/config/FiniteNumber.h"
 
 namespace coherency {
 namespace {
 
 bool isLoopback(const std::string& address) {
-  return address == "localhost" || address == "::1" || address.starts_with("127.");
+  return address == "::1" || address.starts_with("127.");
 }
 
 void checkTogether(const ServerConfig& config, bool insecure) {
@@ -39,7 +40,7 @@ ServerOptions parseServerOptions(int argc, char** argv, int& exit_code) {
   app.add_flag("--insecure", insecure,
                "allow addresses other than loopback although the link is not encrypted");
   app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C]")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(finite(0.0, 1e9));
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
   app.add_flag("--list-devices", options.list_devices, "list USB devices and end");
   app.set_version_flag("--version", COHERENCY_VERSION);
@@ -55,7 +56,7 @@ ServerOptions parseServerOptions(int argc, char** argv, int& exit_code) {
     if (!master.empty()) options.config.master = master;
     if (!listen.empty()) {
       const Endpoint endpoint = parseEndpoint(listen, options.config.port);
-      options.config.address = endpoint.host;
+      options.config.address = endpoint.host == "localhost" ? "127.0.0.1" : endpoint.host;
       options.config.port = endpoint.port;
     }
     checkTogether(options.config, insecure);

@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/config/ReplaceFile.h"
-
 namespace coherency {
 namespace {
 
@@ -59,7 +57,7 @@ std::string statusLine(const ServerStats& stats) {
       stats.stereo.frames_agreeing, stats.stereo.frames_compared);
 }
 
-void writeStatsJson(const std::string& path, const ServerStats& stats) {
+std::string statsJson(const ServerStats& stats) {
   Json clients = Json::array();
   for (const ClientStatus& c : stats.clients) clients.push_back(client(c));
   const RejectCounts& r = stats.rejected;
@@ -81,7 +79,7 @@ void writeStatsJson(const std::string& path, const ServerStats& stats) {
                       {"oversized", r.oversized},
                       {"version", r.version}}},
                     {"stereo", stereo(stats.stereo)}};
-  replaceFile(path, all.dump(2) + "\n");
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace coherency

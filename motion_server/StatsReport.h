@@ -29,7 +29,7 @@ struct ServerStats {
 
 /// One line for a terminal.
 std::string statusLine(const ServerStats& stats);
-/// Writes a whole new file and puts it in place of the old one. Throws std::runtime_error naming the file.
-void writeStatsJson(const std::string& path, const ServerStats& stats);
+/// All of it as JSON text (README and docs name the keys).
+std::string statsJson(const ServerStats& stats);
 
 }  // namespace coherency

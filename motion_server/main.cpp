@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "common/config/ConfigError.h"
+#include "common/config/LiveFile.h"
 #include "common/sync/Clock.h"
 #include "motion_server/MotionServer.h"
 #include "motion_server/Options.h"
@@ -22,11 +23,12 @@ void serve(const coherency::ServerOptions& options) {
              options.config.address, ipv6 ? "]" : "", server.port(), options.config.scene,
              server.stats().master, options.config.rate_hz);
   const bool terminal = isatty(STDERR_FILENO) != 0;
+  LiveFile statistics(options.stats_json, statsJson(server.stats()));
   server.run([&](const ServerStats& stats) {
-    if (!options.stats_json.empty()) writeStatsJson(options.stats_json, stats);
+    statistics.update(statsJson(stats));
     if (terminal) fmt::print(stderr, "\r\033[K{}", statusLine(stats));
   });
-  if (!options.stats_json.empty()) writeStatsJson(options.stats_json, server.stats());
+  statistics.finish(statsJson(server.stats()));
   fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", statusLine(server.stats()));
 }
 

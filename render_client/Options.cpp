@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/config/ConfigError.h"
+#include "common/config/FiniteNumber.h"
 
 namespace coherency {
 namespace {
@@ -28,7 +29,8 @@ void parseSize(const std::string& text, int& width, int& height) {
 }
 
 bool hasDisplay() {
-  return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+  const char* display = std::getenv("DISPLAY");
+  return display != nullptr && *display != '\0';
 }
 
 }  // namespace
@@ -48,24 +50,28 @@ ClientOptions parseClientOptions(int argc, char** argv, int& exit_code) {
   app.add_option("--hmd", hmd, "HMD profile, TOML (see share/coherency/hmds/) [generic]");
   app.add_option("--samples", options.samples, "samples a pixel for antialiasing, 1 to 16 [4]")
       ->check(CLI::Range(1, 16));
-  app.add_option("--fps", options.fps, "headless frames a second at most, 1 to 1000 [62.5]")
-      ->check(CLI::Range(1.0, 1000.0));
+  app.add_option("--fps", options.fps, "frames a second at most, 1 to 1000 [the monitor's; headless 62.5]")
+      ->check(finite(1.0, 1000.0));
   app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C or Esc]")
-      ->check(CLI::Range(0.0, 1e9));
-  app.add_option("--frames", options.frames, "end after this many frames [0: no limit]");
+      ->check(finite(0.0, 1e9));
+  app.add_option("--frames", options.frames, "end after this many frames [0: no limit]")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 62));
   app.add_option("--snapshot-dir", options.snapshot_dir,
                  "write EYE.png here at the end, and snapshots by key");
   app.add_option("--snapshot-at", options.snapshot_at_s,
-                 "seconds of session time at which EYE.png is taken [the last frame]");
+                 "seconds of session time at which EYE.png is taken [the last frame]")
+      ->check(finite(0.0, 1e9));
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
   app.add_option("--wait", options.wait_s, "seconds to wait for the server at the start [10]")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(finite(0.0, 1e6));
   app.set_version_flag("--version", COHERENCY_VERSION);
   try {
     app.parse(argc, argv);
     options.server = parseEndpoint(server, 7430);
     if (!size.empty()) parseSize(size, options.width, options.height);
     if (!hmd.empty()) options.hmd = readHmdProfile(hmd);
+    if (options.fullscreen && display == "headless")
+      throw ConfigError("--fullscreen and --display headless exclude each other: give one of them");
     options.window = options.fullscreen || display == "window" || (display.empty() && hasDisplay());
   } catch (const CLI::ParseError& e) {
     exit_code = app.exit(e) == 0 ? 0 : 2;

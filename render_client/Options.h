@@ -19,7 +19,7 @@ struct ClientOptions {
   int height = 480;
   int samples = 4;
   HmdProfile hmd;
-  double fps = 62.5;
+  double fps = 0.0;             ///< 0: the monitor's, headless 62.5
   double duration_s = 0.0;      ///< 0: until a signal or Esc
   std::uint64_t frames = 0;     ///< 0: no limit
   std::string snapshot_dir;     ///< empty: current folder for snapshots by key, none at the end

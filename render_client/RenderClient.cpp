@@ -1,10 +1,13 @@
 #include "render_client/RenderClient.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "common/sync/StopSignal.h"
 #include "render_client/present/Png.h"
@@ -15,6 +18,8 @@ namespace {
 constexpr std::int64_t kPatienceNs = 50'000'000;  // and a frame: without motion the last pose is shown again
 constexpr double kMillisecond = 1e6;              // ns
 constexpr std::int64_t kStatusNs = 500'000'000;
+constexpr double kDefaultFps = 62.5;
+constexpr std::int64_t kNoticeNs = 4'000'000'000;
 constexpr std::int64_t kHintNs = 8'000'000'000;
 
 std::unique_ptr<Display> makeDisplay(const ClientOptions& options) {
@@ -42,6 +47,20 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Replica& repl
           {"hash", fmt::format("{:016x}", replica.hash())}};
 }
 
+double sessionSeconds(const Replica& replica, std::uint64_t tick) {
+  return static_cast<double>(tick) * static_cast<double>(replica.session().period_ns) * 1e-9;
+}
+
+/// So that a folder that will not do is known at the start and not at the end.
+void checkFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && access(folder.c_str(), W_OK) != 0) error.assign(errno, std::generic_category());
+  if (error)
+    throw std::runtime_error(fmt::format(
+        "--snapshot-dir {}: {}; name a folder that can be made and written to", folder, error.message()));
+}
+
 }  // namespace
 
 RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
@@ -49,11 +68,37 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
       clock_(clock),
       started_(now()),
       link_({options.server.host, options.server.port, options.eye}, clock),
-      display_(makeDisplay(options)),
       eyes_(eyeChoice(options.eye)) {
-  buildWorld(link_.waitForSession(static_cast<std::int64_t>(options.wait_s * 1e9)));
-  if (!options.snapshot_dir.empty() && options.snapshot_at_s >= 0.0)
-    snapshot_tick_ = gridTick(options.snapshot_at_s);
+  if (!options.snapshot_dir.empty()) checkFolder(options.snapshot_dir);
+  const double wait_s =
+      options.duration_s > 0.0 ? std::min(options.wait_s, options.duration_s) : options.wait_s;
+  const auto wait_ns = static_cast<std::int64_t>(wait_s * 1e9);
+  const SessionConfig session = link_.waitForSession(wait_ns);
+  display_ = makeDisplay(options);
+  buildWorld(session);
+  awaitMotion(started_ + std::max<std::int64_t>(wait_ns, 1'000'000'000));
+  planSnapshot();
+}
+
+void RenderClient::awaitMotion(ClientTime deadline) {
+  while (!link_.waitForTick(0, kPatienceNs) && now() < deadline && !stopRequested()) display_->poll();
+  const auto newest = link_.newest();
+  if (!newest)
+    throw std::runtime_error(
+        fmt::format("{0}:{1} welcomed this client over TCP, but no motion came over UDP: let UDP port "
+                    "{1} through every firewall between the two machines",
+                    options_.server.host, options_.server.port));
+  newest_arrived_ = newest->arrived;
+}
+
+void RenderClient::planSnapshot() {
+  if (options_.snapshot_dir.empty() || options_.snapshot_at_s < 0.0) return;
+  snapshot_tick_ = gridTick(options_.snapshot_at_s);
+  const std::uint64_t tick = link_.newest()->packet.world.tick;
+  if (tick > *snapshot_tick_)
+    throw std::runtime_error(
+        fmt::format("--snapshot-at {}: the session has run for {:.1f} s already; name a later moment",
+                    options_.snapshot_at_s, sessionSeconds(*replica_, tick)));
 }
 
 void RenderClient::buildWorld(const SessionConfig& session) {
@@ -62,8 +107,15 @@ void RenderClient::buildWorld(const SessionConfig& session) {
   const int width = display_->hasWindow() ? display_->width() : options_.width * eyeCount(eyes_);
   const int height = display_->hasWindow() ? display_->height() : options_.height;
   renderer_.emplace(replica_->scene(), width, height, RendererSettings{.samples = options_.samples});
-  const double rate_hz = 1e9 / static_cast<double>(session.period_ns);
-  frame_ticks_ = static_cast<std::uint64_t>(std::max(1.0, std::floor(rate_hz / options_.fps)));
+  layGrid();
+}
+
+/// A frame is as many ticks as fit into it at the rate asked for, else the monitor's, else 62.5 a second.
+void RenderClient::layGrid() {
+  const double display_fps = display_->refreshHz() > 0.0 ? display_->refreshHz() : kDefaultFps;
+  const double fps = options_.fps > 0.0 ? options_.fps : display_fps;
+  const double rate_hz = 1e9 / static_cast<double>(replica_->session().period_ns);
+  frame_ticks_ = static_cast<std::uint64_t>(std::max(1.0, std::floor(rate_hz / fps)));
   drawn_tick_ = 0;
 }
 
@@ -72,7 +124,7 @@ void RenderClient::followSession() {
   if (!session || session->session_id == replica_->session().session_id) return;
   if (sameWorld(*session, replica_->session())) {
     replica_->follow(*session);
-    drawn_tick_ = 0;
+    layGrid();
   } else {
     buildWorld(*session);
   }
@@ -118,14 +170,22 @@ void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) 
     followSession();
     if (const auto pose = awaitPose(); pose) drawFrame(*pose);
   }
-  if (!options_.snapshot_dir.empty() && options_.snapshot_at_s < 0.0 && frames_ > 0)
-    writeSnapshot(options_.eye);
+  if (options_.snapshot_dir.empty()) return;
+  if (options_.snapshot_at_s < 0.0 && frames_ > 0) return writeSnapshot(options_.eye);
+  if (snapshot_tick_ || frames_ == 0)
+    throw std::runtime_error(
+        fmt::format("no picture: the run ended at {:.1f} s of the session, before the moment asked for",
+                    sessionSeconds(*replica_, drawn_tick_)));
 }
 
 void RenderClient::drawFrame(const ReceivedPacket& pose) {
   const ClientTime begun = now();
-  replica_->apply(pose.packet);
   newest_arrived_ = pose.arrived;
+  const bool ours = pose.packet.session_id == replica_->session().session_id;
+  if (!ours || !replica_->apply(pose.packet)) {  // never drawn wrong: the picture before it stays
+    drawn_tick_ = pose.packet.world.tick;
+    return;
+  }
   if (display_->hasWindow()) renderer_->resize(display_->width(), display_->height());
   const int width = display_->hasWindow() ? display_->width() / eyeCount(eyes_) : options_.width;
   const int height = display_->hasWindow() ? display_->height() : options_.height;
@@ -157,8 +217,19 @@ void RenderClient::takeSnapshots() {
     writeSnapshot(options_.eye);
     snapshot_tick_.reset();
   }
-  if (snapshot_due_) writeSnapshot(fmt::format("{}_{:03}", options_.eye, ++snapshots_));
+  if (snapshot_due_) trySnapshotByKey();
   snapshot_due_ = false;
+}
+
+void RenderClient::trySnapshotByKey() {
+  const std::string name = fmt::format("{}_{:03}", options_.eye, ++snapshots_);
+  noticed_ = now();
+  try {
+    writeSnapshot(name);
+    notice_ = fmt::format("wrote {}.png", name);
+  } catch (const std::exception& e) {
+    notice_ = e.what();
+  }
 }
 
 void RenderClient::showText() {
@@ -171,6 +242,7 @@ void RenderClient::showText() {
            text;
   else if (!overlay_ && display_->hasWindow() && now() - started_ < kHintNs)
     text = "F1 statistics   F2 snapshot   Esc quit";
+  if (!notice_.empty() && now() - noticed_ < kNoticeNs) text = notice_ + "\n" + text;
   if (!text.empty()) renderer_->drawText(views_, text);
 }
 
@@ -183,7 +255,6 @@ void RenderClient::handleInput() {
 
 void RenderClient::writeSnapshot(const std::string& name) {
   const std::filesystem::path folder = options_.snapshot_dir.empty() ? "." : options_.snapshot_dir;
-  std::filesystem::create_directories(folder);
   writePng((folder / (name + ".png")).string(), renderer_->readImage(), pictureText(*replica_, options_));
 }
 

@@ -24,17 +24,22 @@ namespace coherency {
 /// length, so that the eyes of one session draw the same moments without talking to each other.
 class RenderClient {
  public:
-  /// Opens the display and waits for the server. Throws std::runtime_error with place and remedy.
+  /// Waits for the server and its first motion, then opens the display. Throws std::runtime_error with place
+  /// and remedy.
   RenderClient(const ClientOptions& options, const Clock& clock);
 
   /// Draws until Ctrl-C, the window is closed, or the duration or number of frames is reached.
-  /// `onStatus` is called twice a second.
+  /// `onStatus` is called twice a second. Throws std::runtime_error when a picture asked for could not be
+  /// taken.
   void run(const std::function<void(const ClientStats&)>& onStatus);
   /// With what is known at this moment.
   ClientStats stats() const;
 
  private:
+  void awaitMotion(ClientTime deadline);
+  void planSnapshot();
   void buildWorld(const SessionConfig& session);
+  void layGrid();
   void followSession();
   std::optional<ReceivedPacket> awaitPose() const;
   std::uint64_t gridTick(double session_s) const;
@@ -44,6 +49,7 @@ class RenderClient {
   void showText();
   void handleInput();
   void writeSnapshot(const std::string& name);
+  void trySnapshotByKey();
   bool finished() const;
   ClientTime now() const { return {clock_.nowNs()}; }
 
@@ -67,6 +73,8 @@ class RenderClient {
   bool closed_ = false;
   bool snapshot_due_ = false;
   int snapshots_ = 0;
+  std::string notice_;  ///< shown for a while
+  ClientTime noticed_;
   std::uint64_t frames_ = 0;
   DurationHistogram frame_time_;
   DurationHistogram motion_to_present_;

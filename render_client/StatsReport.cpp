@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/config/ReplaceFile.h"
-
 namespace coherency {
 namespace {
 
@@ -37,12 +35,12 @@ std::string overlayText(const ClientStats& stats) {
       stats.link.received, stats.link.lost, stats.link.recovered, clockText(stats.link));
 }
 
-void writeStatsJson(const std::string& path, const ClientStats& stats) {
+std::string statsJson(const ClientStats& stats) {
   const LinkStats& link = stats.link;
   nlohmann::ordered_json all = {{"eye", stats.eye},
                                 {"scene", stats.scene},
                                 {"size", {stats.width, stats.height}},
-                                {"samples", stats.samples},
+                                {"msaa_samples", stats.samples},
                                 {"frames", stats.frames},
                                 {"fps", stats.fps},
                                 {"first_frame_ms", stats.first_frame_ms},
@@ -61,7 +59,7 @@ void writeStatsJson(const std::string& path, const ClientStats& stats) {
   if (link.clock_known)
     all["clock"] = {{"offset_us", static_cast<double>(link.clock_offset_ns) / 1e3},
                     {"bound_us", static_cast<double>(link.clock_bound_ns) / 1e3}};
-  replaceFile(path, all.dump(2) + "\n");
+  return all.dump(2, ' ', false, decltype(all)::error_handler_t::replace) + "\n";
 }
 
 }  // namespace coherency

@@ -30,7 +30,7 @@ struct ClientStats {
 std::string statusLine(const ClientStats& stats);
 /// Several lines for the picture.
 std::string overlayText(const ClientStats& stats);
-/// Writes a whole new file and puts it in place of the old one. Throws std::runtime_error naming the file.
-void writeStatsJson(const std::string& path, const ClientStats& stats);
+/// All of it as JSON text (README and docs name the keys).
+std::string statsJson(const ClientStats& stats);
 
 }  // namespace coherency

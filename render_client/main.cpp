@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "common/config/LiveFile.h"
 #include "common/sync/Clock.h"
 #include "render_client/Options.h"
 #include "render_client/RenderClient.h"
@@ -18,11 +19,12 @@ int main(int argc, char** argv) {
     const MonotonicClock clock;
     RenderClient client(options, clock);
     const bool terminal = isatty(STDERR_FILENO) != 0;
+    LiveFile statistics(options.stats_json, statsJson(client.stats()));
     client.run([&](const ClientStats& stats) {
-      if (!options.stats_json.empty()) writeStatsJson(options.stats_json, stats);
+      statistics.update(statsJson(stats));
       if (terminal) fmt::print(stderr, "\r\033[K{}", statusLine(stats));
     });
-    if (!options.stats_json.empty()) writeStatsJson(options.stats_json, client.stats());
+    statistics.finish(statsJson(client.stats()));
     fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", statusLine(client.stats()));
     return 0;
   } catch (const std::exception& e) {

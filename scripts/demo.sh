@@ -21,7 +21,7 @@ while [ $# -gt 0 ]; do
 done
 [[ "$seconds" =~ ^[0-9]+$ && "$seconds" -ge 5 ]] || { echo "demo.sh: --seconds must be 5 or more" >&2; exit 2; }
 if [ -z "$display" ]; then
-  if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then display=window; else display=headless; fi
+  if [ -n "${DISPLAY:-}" ]; then display=window; else display=headless; fi
 fi
 
 echo "1/4 packages"
@@ -49,6 +49,7 @@ for _ in $(seq 100); do
   kill -0 "$server" 2>/dev/null || { cat "$port_file" >&2; exit 1; }
   sleep 0.1
 done
+[ -n "$address" ] || { echo "demo.sh: the server does not listen after 10 s" >&2; exit 1; }
 eyes=()
 for eye in left right; do
   build/release/render_client/render_client --server "$address" --eye "$eye" --display "$display" --size "$size" \
@@ -60,6 +61,9 @@ done
 for second in $(seq "$seconds"); do
   printf '\r  %2d of %d s ' "$second" "$seconds"
   sleep 1
+  for pid in "${pids[@]}"; do
+    kill -0 "$pid" 2>/dev/null || [ "$second" -ge $((seconds - 1)) ] || { echo; cat out/*.log >&2; exit 1; }
+  done
 done
 printf '\n'
 failed=no

@@ -9,7 +9,7 @@ namespace coherency {
 
 const std::vector<RigField>& rigFields() {
   static const std::vector<RigField> fields = {
-      {"eye_distance", &Rig::eye_distance, 0.0, 0.2},
+      {"eye_distance", &Rig::eye_distance, 0.02, 0.2},
       {"eye_forward", &Rig::eye_forward, -0.2, 0.3},
       {"eye_up", &Rig::eye_up, -0.2, 0.3},
       {"neck_length", &Rig::neck_length, 0.0, 0.5},

@@ -28,8 +28,6 @@ HmdProfile readHmdProfile(const std::string& path) {
   HmdProfile profile;
   profile.name = root.text("name", "unnamed");
   profile.source = root.text("source", "");
-  profile.panel_width = static_cast<int>(root.integer("panel_width", profile.panel_width, 16, 16384));
-  profile.panel_height = static_cast<int>(root.integer("panel_height", profile.panel_height, 16, 16384));
   profile.near_m = root.number("near_m", profile.near_m, 1e-4, 1.0);
   profile.left = readView(root, "left");
   profile.right = readView(root, "right");

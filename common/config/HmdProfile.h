@@ -12,8 +12,6 @@ namespace coherency {
 struct HmdProfile {
   std::string name = "generic";
   std::string source = "a generic display of 96 x 96 degrees an eye; no product";
-  int panel_width = 1440;  ///< pixels for one eye; square
-  int panel_height = 1440;
   double near_m = 0.01;
   FieldOfView left = fieldOfViewFromDegrees(52.0, 44.0, 48.0, 48.0);
   FieldOfView right = fieldOfViewFromDegrees(44.0, 52.0, 48.0, 48.0);

@@ -1,27 +1,34 @@
 #include "common/config/ReplaceFile.h"
 
 #include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
 
 namespace coherency {
 
+namespace fs = std::filesystem;
+
 void replaceFile(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".new";
-  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+  // A device or a pipe is written to, not replaced; a link stays one.
+  std::error_code missing;
+  const fs::path target = fs::exists(path, missing) ? fs::canonical(path) : fs::path(path);
+  const bool in_place = fs::exists(target, missing) && !fs::is_regular_file(target);
+  const fs::path written = in_place ? target : fs::path(target.string() + ".new");
+  errno = 0;
+  std::ofstream file(written, std::ios::binary);
   file << text;
   file.close();
-  if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
-    const int why = errno;
-    std::remove(beside.c_str());
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}; name a file in a folder that exists and can be written", path,
-                    std::strerror(why)));
-  }
+  std::error_code failure(file ? 0 : (errno != 0 ? errno : EIO), std::generic_category());
+  if (!failure && !in_place) fs::rename(written, target, failure);
+  if (!failure) return;
+  std::error_code ignored;
+  if (!in_place) fs::remove(written, ignored);
+  throw std::runtime_error(fmt::format(
+      "{}: cannot be written: {}; name a file where there is room and permission", path, failure.message()));
 }
 
 }  // namespace coherency

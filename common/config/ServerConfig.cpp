@@ -1,10 +1,14 @@
 #include "common/config/ServerConfig.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "common/config/RigFile.h"
 #include "common/config/TomlTable.h"
+#include "common/world/Scene.h"
 
 namespace coherency {
 namespace {
@@ -35,12 +39,16 @@ ServerConfig readServerConfig(const std::string& path) {
   TomlTable root(&parsed, path, "");
   ServerConfig config;
   config.scene = root.text("scene", config.scene);
+  const std::vector<std::string> scenes = sceneNames();
+  if (std::find(scenes.begin(), scenes.end(), config.scene) == scenes.end())
+    throw root.error("scene", fmt::format("\"{}\" is not known; must be one of: {}", config.scene,
+                                          fmt::join(scenes, ", ")));
   const std::string rig = root.text("rig", "");
   if (!rig.empty()) config.rig = readRig(besideFile(path, rig));
   TomlTable network = root.table("network");
   config.address = network.text("address", config.address);
   config.port = static_cast<std::uint16_t>(network.integer("port", config.port, 0, 65535));
-  config.redundancy = static_cast<int>(network.integer("redundancy", config.redundancy, 0, 8));
+  config.redundancy = static_cast<int>(network.integer("redundancy", config.redundancy, 0, 7));
   config.max_clients = static_cast<int>(network.integer("max_clients", config.max_clients, 1, 1024));
   network.finish();
   TomlTable sampling = root.table("sampling");

@@ -13,7 +13,7 @@ struct ServerConfig {
   Rig rig;
   std::string address = "127.0.0.1";
   std::uint16_t port = 7430;
-  int redundancy = 2;  ///< earlier samples in each packet, 0..8
+  int redundancy = 2;  ///< earlier samples in each packet, 0..7
   int max_clients = 64;
   double rate_hz = 1000.0;
   std::string master = "simulated";  ///< simulated or replay

@@ -193,7 +193,10 @@ class Broadcaster::Impl {
   void read(const ConnectionPtr& connection) {
     connection->socket.async_read_some(asio::buffer(connection->incoming),
                                        [this, connection](const error_code& error, std::size_t size) {
-                                         if (error) return drop(connection->id);
+                                         // Swept away while this read was waiting its turn: nothing is left
+                                         // to heed.
+                                         if (error || !connection->socket.is_open())
+                                           return drop(connection->id);
                                          onBytes(connection, size);
                                          if (connection->socket.is_open()) read(connection);
                                        });

@@ -40,7 +40,9 @@ std::optional<std::uint32_t> SessionHost::open(const std::string& address, Serve
 
 SessionHost::Reaction SessionHost::receive(std::uint32_t connection, std::span<const std::byte> bytes,
                                            ServerTime now) {
-  Client& client = clients_.at(connection);
+  const auto found = clients_.find(connection);
+  if (found == clients_.end()) return {{}, true};  // closed already
+  Client& client = found->second;
   Reaction all;
   if (client.stage == Stage::Leaving) return all;
   client.framing.feed(bytes);

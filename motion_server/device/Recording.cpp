@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -193,6 +194,8 @@ Recording parseRecording(std::istream& in, const std::string& name) {
 Recording readRecording(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error(path + ": cannot be opened: " + std::strerror(errno));
+  if (std::filesystem::is_directory(path))
+    throw std::runtime_error(path + ": is a folder; name a CSV file in it");
   return parseRecording(in, path);
 }
 

@@ -1,7 +1,10 @@
 #include "motion_server/device/ReplayMaster.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "motion_server/device/simulated/MinimumJerk.h"
@@ -39,12 +42,28 @@ MasterReading toReading(const RecordedRow& row) {
   return reading;
 }
 
+/// What the shift to the seat takes out of its DOF's range would be refused sample by sample, and the head
+/// would stand.
+void checkHead(const std::string& name, const RecordedRow& row, const Coord3& shift) {
+  const Coord3 head = row.head + shift;
+  const std::array<std::pair<Dof, double>, 3> values{
+      {{Dof::HeadX, head.x}, {Dof::HeadY, head.y}, {Dof::HeadZ, head.z}}};
+  for (const auto& [dof, value] : values) {
+    if (value >= info(dof).min && value <= info(dof).max) continue;
+    throw std::runtime_error(name + ": at " + std::to_string(static_cast<double>(row.time_ns) * 1e-9) +
+                             " s the seated head's " + std::string(info(dof).name) + " is " +
+                             std::to_string(value) + " m, out of its range " + std::to_string(info(dof).min) +
+                             " to " + std::to_string(info(dof).max) + "; record nearer to the origin");
+  }
+}
+
 }  // namespace
 
 ReplayMaster::ReplayMaster(Recording recording, const Rig& rig, const ReplayOptions& options)
     : recording_(std::move(recording)), options_(options) {
   assert(!recording_.rows.empty());
   if (options_.head_height == HeadHeight::Seated) shift_ = neutralHead(rig) - recording_.rows.front().head;
+  for (const RecordedRow& row : recording_.rows) checkHead(recording_.name, row, shift_);
 }
 
 RecordedRow ReplayMaster::at(std::int64_t time_ns) const {

@@ -22,7 +22,8 @@ class ReplayMaster final : public Master {
  public:
   static constexpr std::int64_t kLoopBlendNs = 1'000'000'000;
 
-  /// Precondition: the recording has a row.
+  /// Precondition: the recording has a row. Throws std::runtime_error when the shifted head leaves its DOFs'
+  /// range.
   ReplayMaster(Recording recording, const Rig& rig, const ReplayOptions& options = {});
 
   std::string name() const override { return "replay of " + recording_.name; }

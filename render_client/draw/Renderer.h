@@ -35,10 +35,10 @@ class Renderer {
   Image readImage();
 
   void resize(int width, int height);
-  int samples() const;               ///< a pixel, as the driver has them
-  std::string rendererName() const;  ///< as GL_RENDERER has it
+  int samples() const;                ///< a pixel, as the driver has them
+  std::string rendererName() const;   ///< as GL_RENDERER has it
   std::size_t triangleCount() const;  ///< in a view, large faces cut for lighting
-  std::size_t objectCount() const;  ///< that show faces
+  std::size_t objectCount() const;    ///< that show faces
 
  private:
   struct Gl;

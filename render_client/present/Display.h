@@ -39,6 +39,8 @@ class Display {
   /// fit.
   virtual int width() const = 0;
   virtual int height() const = 0;
+  /// Pictures a second the monitor shows; 0 where there is none or it does not say.
+  virtual double refreshHz() const = 0;
 };
 
 /// EGL without a surface: a GPU's EGL device where there is one, else Mesa's surfaceless platform (and with

@@ -113,6 +113,7 @@ class HeadlessDisplay : public Display {
   }
 
   bool hasWindow() const override { return false; }
+  double refreshHz() const override { return 0.0; }
   int width() const override { return width_; }
   int height() const override { return height_; }
 

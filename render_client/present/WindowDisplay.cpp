@@ -73,6 +73,7 @@ class WindowDisplay : public Display {
     GLFWmonitor* monitor = monitorAt(config.monitor);
     setHints();
     window_ = config.fullscreen ? makeFullscreen(config, monitor) : makeWindow(config, monitor);
+    if (const GLFWvidmode* mode = glfwGetVideoMode(monitor); mode != nullptr) refresh_hz_ = mode->refreshRate;
     if (window_ == nullptr) {
       const char* text = nullptr;
       glfwGetError(&text);
@@ -105,6 +106,7 @@ class WindowDisplay : public Display {
 
   void present() override { glfwSwapBuffers(window_); }
   bool hasWindow() const override { return true; }
+  double refreshHz() const override { return refresh_hz_; }
   int width() const override { return width_; }
   int height() const override { return height_; }
 
@@ -153,6 +155,7 @@ class WindowDisplay : public Display {
 
   Library library_;
   GLFWwindow* window_ = nullptr;
+  double refresh_hz_ = 0.0;
   int width_ = 1;
   int height_ = 1;
   DisplayInput input_;

@@ -74,8 +74,6 @@ TEST_F(ConfigTest, ShippedDefaultsAreTheProgramsDefaults) {
   const HmdProfile built_in;
   EXPECT_EQ(file.name, built_in.name);
   EXPECT_EQ(file.source, built_in.source);
-  EXPECT_EQ(file.panel_width, built_in.panel_width);
-  EXPECT_EQ(file.panel_height, built_in.panel_height);
   EXPECT_EQ(file.near_m, built_in.near_m);
   for (const auto& [a, b] : {std::pair{file.left, built_in.left}, std::pair{file.right, built_in.right}}) {
     EXPECT_EQ(a.tan_left, b.tan_left);
@@ -100,6 +98,8 @@ TEST_F(ConfigTest, WrongFilesAreRefusedWithPlaceAndRemedy) {
   expectRefused("[sampling]\nrate_hz = nan\n", ":2:", "sampling.rate_hz");
   expectRefused("[sampling]\n\n  rate_hz = inf\n", ":3:", "must be from 10 to 10000");
   expectRefused("[master]\nkind = \"telepathy\"\n", ":2:", "must be one of: simulated, replay");
+  expectRefused("scene = \"atlantis\"\n", ":1:", "must be one of: ");
+  expectRefused("[network]\nredundancy = 8\n", ":2:", "from 0 to 7");
   expectRefused("[netwrok]\nport = 1\n", ":1:", "known are: master, network, rig, sampling, scene");
   expectRefused("network = 3\n", ":1:", "must be a table");
   expectRefused("[master.replay]\nloop = 1\n", ":2:", "must be true or false");
@@ -161,6 +161,13 @@ TEST_F(ConfigTest, ReplacedFilesAreWholeOrNamed) {
   EXPECT_EQ(text, "two");
   EXPECT_FALSE(fs::exists(path + ".new"));
   EXPECT_THROW(replaceFile("/nowhere/at/all.json", "x"), std::runtime_error);
+
+  const std::string link = (folder_ / "link.json").string();
+  fs::create_symlink(path, link);
+  replaceFile(link, "three");
+  EXPECT_TRUE(fs::is_symlink(link)) << "a link stays a link";
+  replaceFile("/dev/null", "nothing");
+  EXPECT_TRUE(fs::is_character_file("/dev/null")) << "a device stays a device";
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ class SessionTest(unittest.TestCase):
     def server(self, *arguments, config="laboratory", listen="127.0.0.1:0", name="server"):
         """(process, ADDRESS:PORT) once it listens."""
         process = self.start(name, SERVER, "--config", ROOT / f"configs/servers/{config}.toml", "--listen", listen,
-                             "--stats-json", self.folder / f"{name}.json", *arguments)
+                             "--stats-json", self.folder / f"{name}.json", "--duration", "150", *arguments)
         found = self.until(lambda: re.search(r"^listening on (\S+)", process.text(), re.M), 10, process)
         return process, found.group(1)
 

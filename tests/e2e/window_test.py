@@ -2,9 +2,9 @@
 """The eyes in a real window under a virtual X display, with keys pressed."""
 import os
 import shutil
+import struct
 import subprocess
 import sys
-import time
 import unittest
 
 from session import CLIENT, SessionTest
@@ -15,7 +15,8 @@ class Window(SessionTest):
     def setUp(self):
         super().setUp()
         read, write = os.pipe()
-        xvfb = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x700x24", "-nolisten", "tcp"],
+        xvfb = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x700x24", "-nolisten", "tcp",
+                                 "-fbdir", str(self.folder)],
                                 pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         self.addCleanup(lambda: (xvfb.terminate(), xvfb.wait()))
@@ -28,6 +29,19 @@ class Window(SessionTest):
                           self.folder / f"{name}.json", "--snapshot-dir", self.folder, *arguments,
                           prefix=["env", f"DISPLAY={self.display}"])
 
+    def corner_brightness(self):
+        """Mean brightness of the screen where the window's top left is, from Xvfb's own frame buffer (XWD format)."""
+        data = (self.folder / "Xvfb_screen0").read_bytes()
+        header, line, colours = (struct.unpack_from(">I", data, at)[0] for at in (0, 48, 76))
+        pixels = data[header + 12 * colours:]
+        environment = dict(os.environ, DISPLAY=self.display)
+        found = subprocess.run(["xdotool", "search", "--name", "Coherency", "getwindowgeometry", "--shell"],
+                               env=environment, capture_output=True, text=True, check=True).stdout
+        at = dict(entry.split("=") for entry in found.split() if "=" in entry)
+        x, y = max(int(at["X"]), 0), max(int(at["Y"]), 0)
+        rows = [pixels[(y + dy) * line + 4 * (x + 4):(y + dy) * line + 4 * (x + 160)] for dy in range(36, 80)]  # below the line of hints
+        return sum(sum(row) for row in rows) / sum(len(row) for row in rows)
+
     def key(self, name):
         environment = dict(os.environ, DISPLAY=self.display)
         found = subprocess.run(["xdotool", "search", "--name", "Coherency"], env=environment, capture_output=True,
@@ -39,8 +53,9 @@ class Window(SessionTest):
         _, address = self.server()
         client = self.window("both", address, "--eye", "both", "--size", "480x360")
         self.until(lambda: (s := self.stats("both")) and s["frames"] > 10, 20, client)
+        before = self.corner_brightness()
         self.key("F1")
-        time.sleep(0.5)
+        self.until(lambda: self.corner_brightness() < 0.8 * before, 5, client)  # the statistics' dark backing
         self.key("F2")
         snapshot = self.folder / "both_001.png"
         self.until(lambda: snapshot.exists() and snapshot.read_bytes().endswith(b"IEND\xaeB`\x82"), 10, client)
