@@ -138,7 +138,7 @@ Coord3 middleOf(const VirtualHuman& human, const std::string& words) {
 TEST_P(VirtualHumanOf, LeftHandStaysOnTheStick) {
   VirtualHuman human(rig_);
   human.setSample(sampleOf(rig_, neutral()));
-  const Coord3 rest = middleOf(human, "left palm") - middleOf(human, "joystick handle");
+  const Coord3 rest = middleOf(human, "left arm hand palm") - middleOf(human, "joystick handle");
   EXPECT_LT(norm(rest), 0.12);
   for (const double x : {-1.0, 0.0, 1.0})
     for (const double y : {-1.0, 1.0}) {
@@ -146,7 +146,7 @@ TEST_P(VirtualHumanOf, LeftHandStaysOnTheStick) {
       si[index(Dof::StickX)] = x;
       si[index(Dof::StickY)] = y;
       human.setSample(sampleOf(rig_, si));
-      EXPECT_LT(norm(middleOf(human, "left palm") - middleOf(human, "joystick handle") - rest), 0.04)
+      EXPECT_LT(norm(middleOf(human, "left arm hand palm") - middleOf(human, "joystick handle") - rest), 0.04)
           << x << ' ' << y;
     }
 }
