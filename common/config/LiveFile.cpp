@@ -9,7 +9,9 @@
 
 namespace coherency {
 
-LiveFile::LiveFile(std::string path, const std::string& text) : path_(std::move(path)) { finish(text); }
+LiveFile::LiveFile(std::string path, const std::string& text) : path_(std::move(path)) {
+  finish(text);
+}
 
 void LiveFile::update(const std::string& text) {
   try {

@@ -4,8 +4,8 @@
 
 namespace coherency {
 
-/// A file kept up to date while a program runs. It must be writable at the start; a fault later is said once on stderr
-/// and ends nothing.
+/// A file kept up to date while a program runs. It must be writable at the start; a fault later is said once
+/// on stderr and ends nothing.
 class LiveFile {
  public:
   /// An empty path stands for no file. Throws std::runtime_error where `text` cannot be written.
