@@ -40,7 +40,9 @@ int main(int argc, char** argv) {
   if (exit_code >= 0) return exit_code;
   try {
     if (options.list_devices) {
-      for (const auto& device : coherency::listUsbDevices()) fmt::print("{}\n", coherency::describe(device));
+      const auto devices = coherency::listUsbDevices();
+      if (devices.empty()) fmt::print(stderr, "no USB device is connected, or none may be seen by this user\n");
+      for (const auto& device : devices) fmt::print("{}\n", coherency::describe(device));
       return 0;
     }
     serve(options);
