@@ -29,7 +29,7 @@ struct ServerStats {
 
 /// One line for a terminal.
 std::string statusLine(const ServerStats& stats);
-/// All of it as JSON text (README and docs name the keys).
+/// All of it as JSON text; docs/statistics.md names the keys.
 std::string statsJson(const ServerStats& stats);
 
 }  // namespace coherency

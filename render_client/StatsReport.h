@@ -30,7 +30,7 @@ struct ClientStats {
 std::string statusLine(const ClientStats& stats);
 /// Several lines for the picture.
 std::string overlayText(const ClientStats& stats);
-/// All of it as JSON text (README and docs name the keys).
+/// All of it as JSON text; docs/statistics.md names the keys.
 std::string statsJson(const ClientStats& stats);
 
 }  // namespace coherency
