@@ -84,7 +84,7 @@ std::string TomlTable::text(std::string_view key, const std::string& fallback) {
 
 std::string TomlTable::oneOf(std::string_view key, const std::string& fallback,
                              std::initializer_list<std::string_view> allowed) {
-  const std::string value = text(key, fallback);
+  std::string value = text(key, fallback);
   for (const auto& name : allowed)
     if (value == name) return value;
   throw error(key, fmt::format("\"{}\" is not known; must be one of: {}", value, join(allowed)));
