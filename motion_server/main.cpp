@@ -41,7 +41,8 @@ int main(int argc, char** argv) {
   try {
     if (options.list_devices) {
       const auto devices = coherency::listUsbDevices();
-      if (devices.empty()) fmt::print(stderr, "no USB device is connected, or none may be seen by this user\n");
+      if (devices.empty())
+        fmt::print(stderr, "no USB device is connected, or none may be seen by this user\n");
       for (const auto& device : devices) fmt::print("{}\n", coherency::describe(device));
       return 0;
     }

@@ -68,7 +68,7 @@ double Joystick::handleHeight() {
   return kHandle;
 }
 
-Pedal::Pedal(std::string name) : VRObject(name) {
+Pedal::Pedal(const std::string& name) : VRObject(name) {
   base_.setSize({0.10, 0.03, 0.10});
   assemble(*this, base_, name + " base", paint(palette::kSeatFrame), {0.0, -0.008, 0.0});
   plate_.setName(name + " plate");

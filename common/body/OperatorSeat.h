@@ -32,7 +32,7 @@ class Joystick : public VRObject {
 /// Pedal hinged at the heel, its origin; -z along the plate. Body axes.
 class Pedal : public VRObject {
  public:
-  explicit Pedal(std::string name);
+  explicit Pedal(const std::string& name);
 
   void set(double pressed);  ///< 0 released .. 1 down
   /// Ankle of a foot that rests on it, in the pedal's parent's frame, toes along -z of it.

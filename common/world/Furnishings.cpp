@@ -29,7 +29,7 @@ std::vector<Coord3> disc(double radius) {
 
 }  // namespace
 
-Block::Block(std::string name, std::uint32_t colour) : VRObject(name) {
+Block::Block(const std::string& name, std::uint32_t colour) : VRObject(name) {
   assembleBox(*this, cube_, name + " cube", paint(colour, 0.25), {kEdge, kEdge, kEdge},
               {0.0, kEdge / 2, 0.0});
 }

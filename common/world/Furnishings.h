@@ -15,7 +15,7 @@ class Block : public VRObject {
  public:
   static constexpr double kEdge = 0.055;
 
-  Block(std::string name, std::uint32_t colour);
+  Block(const std::string& name, std::uint32_t colour);
 
  private:
   Box cube_;

@@ -23,6 +23,7 @@ std::uint32_t append(std::vector<Coord3>& vertices, const Coord3& vertex) {
 
 void appendQuad(std::vector<Coord3>& vertices, Faces& faces, const std::array<Coord3, 4>& corners) {
   std::vector<std::uint32_t> face;
+  face.reserve(corners.size());
   for (const Coord3& corner : corners) face.push_back(append(vertices, corner));
   faces.push_back(std::move(face));
 }

@@ -32,6 +32,7 @@ void DrawCommands::draw() const {
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer_.name());
   const auto issue = [](std::size_t first, std::size_t count) {
     if (count == 0) return;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset in a pointer's clothes
     const void* offset = reinterpret_cast<const void*>(first * sizeof(Command));
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, offset, static_cast<GLsizei>(count), 0);
   };

@@ -74,7 +74,9 @@ Lean ReachPlanner::leanFor(const Coord3& palm) const {
   const double comfortable = kComfortable * (rig.upper_arm + rig.forearm + rig.hand);
   const double azimuth = std::atan2(palm.x, -palm.z);
   Lean lean = rest_.lean;
-  for (double angle = kRestLean; angle <= kFarthestLean; angle += kLeanStep) {
+  const int steps = static_cast<int>((kFarthestLean - kRestLean) / kLeanStep);
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = kRestLean + i * kLeanStep;
     lean = {angle * std::cos(azimuth), kSideShare * angle * std::sin(azimuth)};
     if (norm(palm - body_.shoulder(lean).origin()) <= comfortable) break;
   }
