@@ -28,7 +28,7 @@ TransformMatrix frameAlong(const Coord3& from, const Coord3& to, const Coord3& z
   return TransformMatrix::fromAxes(x, cross(z, x), z, from);
 }
 
-ArmShape::ArmShape(const Rig& rig, Hand::Side side, std::string name)
+ArmShape::ArmShape(const Rig& rig, Hand::Side side, const std::string& name)
     : VRObject(name), hand_(side, rig.hand, name + " hand") {
   const double upper = rig.upper_arm;
   upper_.setSections({{0.0, 0.064, 0.064},
@@ -58,7 +58,7 @@ void ArmShape::setPose(const TransformMatrix& t_body_upper, const TransformMatri
   hand_.setTransform(t_body_hand);
 }
 
-LegShape::LegShape(const Rig& rig, std::string name) : VRObject(name), foot_(name + " foot") {
+LegShape::LegShape(const Rig& rig, const std::string& name) : VRObject(name), foot_(name + " foot") {
   thigh_.setSections({{0.0, 0.084, 0.082},
                       {0.30 * rig.thigh, 0.083, 0.081},
                       {0.75 * rig.thigh, 0.069, 0.068},

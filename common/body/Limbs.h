@@ -14,7 +14,7 @@ TransformMatrix frameAlong(const Coord3& from, const Coord3& to, const Coord3& z
 /// frame is the body frame.
 class ArmShape : public VRObject {
  public:
-  ArmShape(const Rig& rig, Hand::Side side, std::string name);
+  ArmShape(const Rig& rig, Hand::Side side, const std::string& name);
 
   void setPose(const TransformMatrix& t_body_upper, const TransformMatrix& t_body_forearm,
                const TransformMatrix& t_body_hand);
@@ -31,7 +31,7 @@ class ArmShape : public VRObject {
 /// ankle, y up and -z to the toes. Its own frame is the body frame.
 class LegShape : public VRObject {
  public:
-  LegShape(const Rig& rig, std::string name);
+  LegShape(const Rig& rig, const std::string& name);
 
   static double ankleHeight(const Rig& rig);  ///< ankle over the sole, m
 

@@ -125,7 +125,7 @@ class HeadlessDisplay : public Display {
     EGLint minor = 0;
     if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, &major, &minor) != EGL_TRUE)
       return "no display (" + eglErrorText() + ")";
-    const std::string fault = makeCurrent(major, minor);
+    std::string fault = makeCurrent(major, minor);
     if (!fault.empty()) close();
     return fault;
   }
