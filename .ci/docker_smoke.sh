@@ -39,7 +39,7 @@ if ! docker info >/dev/null 2>&1; then
 fi
 if ! docker image inspect debian:bookworm-slim >/dev/null 2>&1 && ! docker pull -q debian:bookworm-slim 2>/dev/null; then
   mirror=$(sed -n 's/^deb \(\[[^]]*\] \)\?\([^ ]*\) bookworm main.*/\2/p;s/^URIs: *\([^ ]*\).*/\1/p' \
-    /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | head -n 1)
+    /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | head -n 1) || :  # not every machine has both
   debootstrap --variant=minbase bookworm "$work/base" "${mirror:-http://deb.debian.org/debian}" >"$work/debootstrap.log"
   cp -r /etc/apt/apt.conf.d/. "$work/base/etc/apt/apt.conf.d/"  # a proxy, where there is one
   tar -C "$work/base" -c . | docker import - debian:bookworm-slim
