@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "common/math/Rotation.h"
+#include "common/math/Trigonometry.h"
 
 namespace coherency {
 
@@ -18,10 +19,12 @@ constexpr int kPlaceFirst = 50;  // at the latest after these, or once settled, 
 constexpr double kSettledCost = 1e-20;  // m^2
 constexpr double kSettledGain = 1e-6;   // of the cost, in one step
 
-TransformMatrix tiltedBase(double up, double back) {
-  const Coord3 a1{std::cos(up) * std::cos(back), std::sin(up), std::cos(up) * std::sin(back)};
-  const Coord3 a2{-std::sin(back), 0.0, std::cos(back)};
-  const Coord3 a3{-std::sin(up) * std::cos(back), std::cos(up), -std::sin(up) * std::sin(back)};
+TransformMatrix tiltedBase(double tilt_up, double tilt_back) {
+  const SineCosine up = sineCosine(tilt_up);
+  const SineCosine back = sineCosine(tilt_back);
+  const Coord3 a1{up.cosine * back.cosine, up.sine, up.cosine * back.sine};
+  const Coord3 a2{-back.sine, 0.0, back.cosine};
+  const Coord3 a3{-up.sine * back.cosine, up.cosine, -up.sine * back.sine};
   return TransformMatrix::fromAxes(a1, a3, a2);
 }
 

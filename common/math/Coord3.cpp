@@ -63,7 +63,13 @@ Coord3 cross(const Coord3& a, const Coord3& b) {
 }
 
 double norm(const Coord3& a) {
-  return std::hypot(std::hypot(a.x, a.y), a.z);
+  // Not std::hypot, whose last bit is the C library's. Squares of lengths beyond these would overflow or lose bits.
+  constexpr double kLarge = 0x1p+500;
+  constexpr double kSmall = 0x1p-450;
+  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+  const double scale = largest > kLarge ? 0x1p-600 : largest < kSmall ? 0x1p+600 : 1.0;
+  const Coord3 s{a.x * scale, a.y * scale, a.z * scale};
+  return std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z) / scale;
 }
 
 Coord3 normalized(const Coord3& a) {

@@ -113,7 +113,15 @@ Quaternion slerp(const Quaternion& a, const Quaternion& b, double s) {
 TransformMatrix rotationBetween(const Coord3& from, const Coord3& to) {
   const Coord3 u = normalized(from);
   const Coord3 v = normalized(to);
-  return TransformMatrix::rotation(axisBetween(u, v), std::atan2(norm(cross(u, v)), dot(u, v)));
+  const Coord3 n = axisBetween(u, v);
+  // Rodrigues' formula, with sine and cosine from the vectors themselves: no angle is needed.
+  const double sine = norm(cross(u, v));
+  const double cosine = dot(u, v);
+  const double one_less_cosine = cosine > 0.0 ? sine * sine / (1.0 + cosine) : 1.0 - cosine;
+  const auto column = [&](const Coord3& e) {
+    return e + sine * cross(n, e) + one_less_cosine * cross(n, cross(n, e));
+  };
+  return TransformMatrix::fromAxes(column({1.0, 0.0, 0.0}), column({0.0, 1.0, 0.0}), column({0.0, 0.0, 1.0}));
 }
 
 }  // namespace coherency

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/math/SingularValue.h"
+#include "common/math/Trigonometry.h"
 
 namespace coherency {
 namespace {
@@ -73,27 +74,24 @@ TransformMatrix TransformMatrix::scaling(const Coord3& s) {
 }
 
 TransformMatrix TransformMatrix::rotationX(double angle_rad) {
-  const double c = std::cos(angle_rad);
-  const double s = std::sin(angle_rad);
+  const auto [s, c] = sineCosine(angle_rad);
   return fromAxes({1.0, 0.0, 0.0}, {0.0, c, s}, {0.0, -s, c});
 }
 
 TransformMatrix TransformMatrix::rotationY(double angle_rad) {
-  const double c = std::cos(angle_rad);
-  const double s = std::sin(angle_rad);
+  const auto [s, c] = sineCosine(angle_rad);
   return fromAxes({c, 0.0, -s}, {0.0, 1.0, 0.0}, {s, 0.0, c});
 }
 
 TransformMatrix TransformMatrix::rotationZ(double angle_rad) {
-  const double c = std::cos(angle_rad);
-  const double s = std::sin(angle_rad);
+  const auto [s, c] = sineCosine(angle_rad);
   return fromAxes({c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0});
 }
 
 TransformMatrix TransformMatrix::rotation(const Coord3& axis, double angle_rad) {
   const Coord3 n = normalized(axis);
-  const double half_sine = std::sin(0.5 * angle_rad);
-  const double s = std::sin(angle_rad);
+  const double half_sine = sineCosine(0.5 * angle_rad).sine;
+  const double s = sineCosine(angle_rad).sine;
   const double v = 2.0 * half_sine * half_sine;  // 1 - cos, without its cancellation at small angles
   const auto column = [&](const Coord3& e) { return e + s * cross(n, e) + v * cross(n, cross(n, e)); };
   return fromAxes(column({1.0, 0.0, 0.0}), column({0.0, 1.0, 0.0}), column({0.0, 0.0, 1.0}));

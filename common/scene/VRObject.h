@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "common/scene/Attributes.h"
 #include "common/scene/VRFrame.h"
 
 namespace coherency {
@@ -51,10 +53,23 @@ class VRObject : public VRFrame {
   /// Polygons of this object and everything below it.
   std::size_t polygonCount() const;
 
+  /// Gives the object an attribute of any type (Attributes.h), replacing one of the same type.
+  template <class T>
+  void attach(T value) {
+    if (attributes_ == nullptr) attributes_ = std::make_unique<Attributes>();
+    attributes_->attach(std::move(value));
+  }
+  /// The object's own attribute of this type; null where it has none.
+  template <class T>
+  const T* attribute() const {
+    return attributes_ == nullptr ? nullptr : static_cast<const Attributes&>(*attributes_).find<T>();
+  }
+
  private:
   std::string name_;
   VRObject* parent_ = nullptr;
   std::vector<VRObject*> members_;
+  std::unique_ptr<Attributes> attributes_;  ///< most objects have none
 };
 
 /// Calls visit(object, t_root_object) for `root` and everything below it, parents first, in the order of
