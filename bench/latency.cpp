@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
   }
   const MonotonicClock clock;
   SessionConfig session;
-  session.scene = "laboratory";
+  session.scene.name = "laboratory";
   BroadcastConfig config;
   config.port = 0;
   Broadcaster broadcaster(config, session, clock);

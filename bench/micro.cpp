@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "common/body/Posture.h"
+#include "common/config/SceneFile.h"
 #include "common/motion/SampleGate.h"
 #include "common/wire/DatagramCodec.h"
 #include "common/world/Scene.h"
@@ -12,7 +13,7 @@ namespace {
 
 using namespace coherency;
 
-MotionSample neutralSample() {
+MotionSample measuredSample() {
   SampleGate gate(neutralPosture(Rig{}));
   MasterReading reading;
   reading.si = neutralPosture(Rig{});
@@ -28,17 +29,22 @@ void gate(benchmark::State& state) {
 }
 BENCHMARK(gate);
 
+SceneDescription laboratory() {
+  return readScene("laboratory", COHERENCY_CONFIGS "/scenes");
+}
+
 void stepWorld(benchmark::State& state) {
-  WorldState world;
-  const MotionSample sample = neutralSample();
-  for (auto _ : state) step(world, sample, 1'000'000, DriveLimits{}, DriveArea{});
+  const Scene scene(laboratory(), Rig{});
+  WorldState world = scene.initialState();
+  const MotionSample sample = measuredSample();
+  for (auto _ : state) scene.world().step(world, sample, 1'000'000);
   benchmark::DoNotOptimize(world);
 }
 BENCHMARK(stepWorld);
 
 void hash(benchmark::State& state) {
-  const WorldState world;
-  const MotionSample sample = neutralSample();
+  const WorldState world = Scene(laboratory(), Rig{}).initialState();
+  const MotionSample sample = measuredSample();
   for (auto _ : state) benchmark::DoNotOptimize(stateHash(world, sample));
 }
 BENCHMARK(hash);
@@ -46,21 +52,22 @@ BENCHMARK(hash);
 void bodyPosture(benchmark::State& state) {
   const Rig rig;
   const ArmKinematics arm(rig);
-  const MotionSample sample = neutralSample();
+  const MotionSample sample = measuredSample();
   for (auto _ : state) benchmark::DoNotOptimize(posture(rig, arm, sample));
 }
 BENCHMARK(bodyPosture);
 
 void applyToScene(benchmark::State& state) {
-  const auto scene = makeScene("laboratory", Rig{});
-  const MotionSample sample = neutralSample();
-  for (auto _ : state) scene->apply(WorldState{}, sample);
+  Scene scene(laboratory(), Rig{});
+  const WorldState world = scene.initialState();
+  const MotionSample sample = measuredSample();
+  for (auto _ : state) scene.apply(world, sample);
 }
 BENCHMARK(applyToScene);
 
 void inverseKinematics(benchmark::State& state) {
   const ArmKinematics arm{Rig{}};
-  const ArmJoints seed = armJoints(neutralSample());
+  const ArmJoints seed = armJoints(measuredSample());
   const Coord3 palm = arm.pose(seed).palm + Coord3{0.1, 0.1, -0.1};
   for (auto _ : state) benchmark::DoNotOptimize(arm.solve(palm, nullptr, seed));
 }

@@ -26,7 +26,20 @@ auto orConfigError(auto&& make) {
 }
 
 std::unique_ptr<Scene> sceneOf(const ServerConfig& config) {
-  return orConfigError([&] { return makeScene(config.scene, config.rig); });
+  return orConfigError([&] { return std::make_unique<Scene>(config.scene, config.rig); });
+}
+
+OperatorTask operatorTask(const Scene& scene) {
+  OperatorTask task;
+  const World& world = scene.world();
+  for (const MovableModel& m : world.model().movables) task.edges.push_back(m.edge);
+  task.targets = scene.targets();
+  task.workplace = scene.description().workplace;
+  if (scene.description().robot) task.robot_workplace = scene.description().robot->workplace;
+  task.robot_scale = world.model().master.rig.robot_scale;
+  task.grasp_point =
+      world.hand(Holder::OperatorHand).graspPoint() - Coord3{world.model().master.rig.hand, 0.0, 0.0};
+  return task;
 }
 
 std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scene) {
@@ -35,14 +48,14 @@ std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scen
     return orConfigError(
         [&] { return std::make_unique<ReplayMaster>(readRecording(config.recording), config.rig, how); });
   }
-  return std::make_unique<SimulatedMaster>(
-      SimulatedMaster::Task{scene.targets(), scene.workplace(), scene.start()}, config.rig, config.seed);
+  return std::make_unique<SimulatedMaster>(operatorTask(scene), config.rig, config.seed);
 }
 
 AuthorityConfig authorityConfig(const ServerConfig& config, const Scene& scene) {
   AuthorityConfig result;
-  result.start = scene.start();
-  result.area = scene.driveArea();
+  result.start = scene.initialState(config.world_seed);
+  result.start.mode = config.mode;
+  result.dofs = scene.dofs();
   result.period_ns = periodNs(config);
   return result;
 }
@@ -73,7 +86,7 @@ MotionServer::MotionServer(const ServerOptions& options, const Clock& clock)
       clock_(clock),
       scene_(sceneOf(options.config)),
       master_(makeMaster(options.config, *scene_)),
-      authority_(authorityConfig(options.config, *scene_), options.config.rig, *master_),
+      authority_(authorityConfig(options.config, *scene_), scene_->world(), *master_),
       broadcaster_(broadcastConfig(options.config), sessionConfig(options.config), clock) {}
 
 void MotionServer::run(const std::function<void(const ServerStats&)>& onStatus) {
@@ -97,11 +110,14 @@ void MotionServer::run(const std::function<void(const ServerStats&)>& onStatus) 
 }
 
 bool MotionServer::sample(const SamplingTick& tick) {
+  if (const auto mode = broadcaster_.takeModeRequest()) authority_.switchTo(*mode);
   const auto result = authority_.sample(tick.elapsed_ns, tick.now_ns, tick.ticks_elapsed);
   if (!result) return false;
   broadcaster_.publish(result->world, result->sample);
   const std::scoped_lock lock(mutex_);
   ++samples_;
+  mode_ = result->world.mode;
+  task_ = result->world.task;
   elapsed_ns_ = tick.elapsed_ns;
   refused_ = authority_.refused();
   return true;
@@ -110,7 +126,7 @@ bool MotionServer::sample(const SamplingTick& tick) {
 ServerStats MotionServer::stats() const {
   ServerStats stats;
   stats.master = master_->name();
-  stats.scene = options_.config.scene;
+  stats.scene = options_.config.scene.name;
   stats.nominal_rate_hz = 1e9 / static_cast<double>(periodNs(options_.config));
   stats.clients = broadcaster_.clients();
   stats.rejected = broadcaster_.rejected();
@@ -123,6 +139,8 @@ ServerStats MotionServer::stats() const {
   }
   const std::scoped_lock lock(mutex_);
   stats.samples = samples_;
+  stats.mode = mode_;
+  stats.task = task_;
   stats.duration_s = static_cast<double>(elapsed_ns_) / 1e9;
   stats.refused = refused_;
   return stats;

@@ -38,6 +38,8 @@ class MotionServer {
   Broadcaster broadcaster_;
   mutable std::mutex mutex_;  ///< over what the sampling thread leaves for stats()
   std::uint64_t samples_ = 0;
+  Mode mode_ = Mode::Operator;
+  TaskClock task_;
   std::int64_t elapsed_ns_ = 0;
   std::array<std::uint64_t, kDofCount> refused_{};
   std::unique_ptr<SamplingThread> sampling_;  ///< last, so that it ends before what it uses

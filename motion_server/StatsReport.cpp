@@ -39,6 +39,17 @@ Json stereo(const StereoStatus& s) {
           {"present_skew_us", {{"p50", skew_us.p50}, {"p99", skew_us.p99}}}};
 }
 
+/// Session time in seconds, or null for a tick that has not come.
+Json seconds(std::uint64_t tick, const ServerStats& stats) {
+  return tick == 0 ? Json() : Json(static_cast<double>(tick) / stats.nominal_rate_hz);
+}
+
+Json task(const ServerStats& stats) {
+  return {{"started_s", seconds(stats.task.started_tick, stats)},
+          {"tower_s", seconds(stats.task.done_tick, stats)},
+          {"towers", stats.task.towers}};
+}
+
 Json refusedByDof(const ServerStats& stats) {
   Json refused = Json::object();
   for (std::size_t i = 0; i < kDofCount; ++i)
@@ -63,6 +74,8 @@ std::string statsJson(const ServerStats& stats) {
   const RejectCounts& r = stats.rejected;
   const Json all = {{"master", stats.master},
                     {"scene", stats.scene},
+                    {"mode", stats.mode == Mode::Robot ? "robot" : "operator"},
+                    {"task", task(stats)},
                     {"nominal_rate_hz", stats.nominal_rate_hz},
                     {"rate_hz", rate(stats)},
                     {"duration_s", stats.duration_s},

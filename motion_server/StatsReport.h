@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/sync/DurationHistogram.h"
+#include "common/world/WorldState.h"
 #include "motion_server/broadcast/Broadcaster.h"
 
 namespace coherency {
@@ -14,6 +15,8 @@ namespace coherency {
 struct ServerStats {
   std::string master;
   std::string scene;
+  Mode mode = Mode::Operator;
+  TaskClock task;
   double nominal_rate_hz = 0.0;
   double duration_s = 0.0;
   std::uint64_t samples = 0;

@@ -20,7 +20,7 @@ void serve(const coherency::ServerOptions& options) {
   MotionServer server(options, clock);
   const bool ipv6 = options.config.address.find(':') != std::string::npos;
   fmt::print(stderr, "listening on {}{}{}:{}  scene {}, {} at {} Hz\n", ipv6 ? "[" : "",
-             options.config.address, ipv6 ? "]" : "", server.port(), options.config.scene,
+             options.config.address, ipv6 ? "]" : "", server.port(), options.config.scene.name,
              server.stats().master, options.config.rate_hz);
   const bool terminal = isatty(STDERR_FILENO) != 0;
   LiveFile statistics(options.stats_json, statsJson(server.stats()));

@@ -1,5 +1,6 @@
 #include "render_client/Options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
@@ -58,8 +59,11 @@ ClientOptions parseClientOptions(int argc, char** argv, int& exit_code) {
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 62));
   app.add_option("--snapshot-dir", options.snapshot_dir,
                  "write EYE.png here at the end, and snapshots by key");
-  app.add_option("--snapshot-at", options.snapshot_at_s,
-                 "seconds of session time at which EYE.png is taken [the last frame]")
+  app.add_option(
+         "--snapshot-at", options.snapshot_at_s,
+         "seconds of session time at which EYE.png is taken [the last frame]; several, as 5,10,20, give "
+         "EYE_1.png, EYE_2.png ...")
+      ->delimiter(',')
       ->check(finite(0.0, 1e9));
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
   app.add_option("--wait", options.wait_s, "seconds to wait for the server at the start [10]")
@@ -70,6 +74,7 @@ ClientOptions parseClientOptions(int argc, char** argv, int& exit_code) {
     options.server = parseEndpoint(server, 7430);
     if (!size.empty()) parseSize(size, options.width, options.height);
     if (!hmd.empty()) options.hmd = readHmdProfile(hmd);
+    std::sort(options.snapshot_at_s.begin(), options.snapshot_at_s.end());
     if (options.fullscreen && display == "headless")
       throw ConfigError("--fullscreen and --display headless exclude each other: give one of them");
     options.window = options.fullscreen || display == "window" || (display.empty() && hasDisplay());

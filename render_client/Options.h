@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/config/Endpoint.h"
 #include "common/config/HmdProfile.h"
@@ -19,11 +20,11 @@ struct ClientOptions {
   int height = 480;
   int samples = 4;
   HmdProfile hmd;
-  double fps = 0.0;             ///< 0: the monitor's, headless 62.5
-  double duration_s = 0.0;      ///< 0: until a signal or Esc
-  std::uint64_t frames = 0;     ///< 0: no limit
-  std::string snapshot_dir;     ///< empty: current folder for snapshots by key, none at the end
-  double snapshot_at_s = -1.0;  ///< session time of the picture; negative: the last one drawn
+  double fps = 0.0;                   ///< 0: the monitor's, headless 62.5
+  double duration_s = 0.0;            ///< 0: until a signal or Esc
+  std::uint64_t frames = 0;           ///< 0: no limit
+  std::string snapshot_dir;           ///< empty: current folder for snapshots by key, none at the end
+  std::vector<double> snapshot_at_s;  ///< session times of the pictures, rising; none: the last one drawn
   std::string stats_json;
   double wait_s = 10.0;  ///< for the server, at the start
 };

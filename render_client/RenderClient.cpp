@@ -19,8 +19,6 @@ constexpr std::int64_t kPatienceNs = 50'000'000;  // and a frame: without motion
 constexpr double kMillisecond = 1e6;              // ns
 constexpr std::int64_t kStatusNs = 500'000'000;
 constexpr double kDefaultFps = 62.5;
-constexpr std::int64_t kNoticeNs = 4'000'000'000;
-constexpr std::int64_t kHintNs = 8'000'000'000;
 
 std::unique_ptr<Display> makeDisplay(const ClientOptions& options) {
   DisplayConfig config;
@@ -36,9 +34,9 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Replica& repl
                                                              const ClientOptions& options) {
   std::string dofs;
   for (const auto units : replica.sample().units) dofs += fmt::format("{}{}", dofs.empty() ? "" : " ", units);
-  const BasePose& base = replica.world().base;
+  const BasePose& base = replica.world().driven().base;
   return {{"eye", options.eye},
-          {"scene", replica.session().scene},
+          {"scene", replica.session().scene.name},
           {"hmd", options.hmd.name},
           {"tick", fmt::format("{}", replica.world().tick)},
           {"sequence", fmt::format("{}", replica.sample().sequence)},
@@ -68,7 +66,8 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
       clock_(clock),
       started_(now()),
       link_({options.server.host, options.server.port, options.eye}, clock),
-      eyes_(eyeChoice(options.eye)) {
+      eyes_(eyeChoice(options.eye)),
+      overlay_(fmt::format("{}:{}", options.server.host, options.server.port), started_) {
   if (!options.snapshot_dir.empty()) checkFolder(options.snapshot_dir);
   const double wait_s =
       options.duration_s > 0.0 ? std::min(options.wait_s, options.duration_s) : options.wait_s;
@@ -77,7 +76,7 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
   display_ = makeDisplay(options);
   buildWorld(session);
   awaitMotion(started_ + std::max<std::int64_t>(wait_ns, 1'000'000'000));
-  planSnapshot();
+  planPictures();
 }
 
 void RenderClient::awaitMotion(ClientTime deadline) {
@@ -91,14 +90,18 @@ void RenderClient::awaitMotion(ClientTime deadline) {
   newest_arrived_ = newest->arrived;
 }
 
-void RenderClient::planSnapshot() {
-  if (options_.snapshot_dir.empty() || options_.snapshot_at_s < 0.0) return;
-  snapshot_tick_ = gridTick(options_.snapshot_at_s);
+void RenderClient::planPictures() {
+  if (options_.snapshot_dir.empty()) return;
+  const std::vector<double>& times = options_.snapshot_at_s;
+  for (const double time : times) {
+    const std::string number = times.size() > 1 ? fmt::format("_{}", planned_.size() + 1) : "";
+    planned_.push_back({gridTick(time), options_.eye + number});
+  }
   const std::uint64_t tick = link_.newest()->packet.world.tick;
-  if (tick > *snapshot_tick_)
+  if (!planned_.empty() && tick > planned_.front().tick)
     throw std::runtime_error(
         fmt::format("--snapshot-at {}: the session has run for {:.1f} s already; name a later moment",
-                    options_.snapshot_at_s, sessionSeconds(*replica_, tick)));
+                    times.front(), sessionSeconds(*replica_, tick)));
 }
 
 void RenderClient::buildWorld(const SessionConfig& session) {
@@ -151,8 +154,8 @@ std::optional<ReceivedPacket> RenderClient::awaitPose() const {
     newest = link_.newest();
     if (!newest) return std::nullopt;
   }
-  const bool snapshot = snapshot_tick_ && newest->packet.world.tick >= *snapshot_tick_;
-  const auto on_grid = link_.atTick(snapshot ? *snapshot_tick_ : latestOnGrid(*newest));
+  const bool picture = !planned_.empty() && newest->packet.world.tick >= planned_.front().tick;
+  const auto on_grid = link_.atTick(picture ? planned_.front().tick : latestOnGrid(*newest));
   return on_grid ? on_grid : newest;
 }
 
@@ -163,7 +166,7 @@ void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) 
     if (now() - last_status >= kStatusNs) {
       last_status = now();
       const ClientStats latest = stats();
-      overlay_text_ = overlayText(latest);
+      overlay_.refresh(latest, *replica_);
       onStatus(latest);
     }
     handleInput();
@@ -171,8 +174,8 @@ void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) 
     if (const auto pose = awaitPose(); pose) drawFrame(*pose);
   }
   if (options_.snapshot_dir.empty()) return;
-  if (options_.snapshot_at_s < 0.0 && frames_ > 0) return writeSnapshot(options_.eye);
-  if (snapshot_tick_ || frames_ == 0)
+  if (options_.snapshot_at_s.empty() && frames_ > 0) return writeSnapshot(options_.eye);
+  if (!planned_.empty() || frames_ == 0)
     throw std::runtime_error(
         fmt::format("no picture: the run ended at {:.1f} s of the session, before the moment asked for",
                     sessionSeconds(*replica_, drawn_tick_)));
@@ -189,7 +192,7 @@ void RenderClient::drawFrame(const ReceivedPacket& pose) {
   if (display_->hasWindow()) renderer_->resize(display_->width(), display_->height());
   const int width = display_->hasWindow() ? display_->width() / eyeCount(eyes_) : options_.width;
   const int height = display_->hasWindow() ? display_->height() : options_.height;
-  eyeViews(replica_->scene(), options_.hmd, eyes_, width, height, views_);
+  eyeViews(replica_->scene(), replica_->world().mode, options_.hmd, eyes_, width, height, views_);
   renderer_->draw(views_);
   takeSnapshots();
   showText();
@@ -213,9 +216,9 @@ void RenderClient::countFrame(const ReceivedPacket& pose, ClientTime begun, Clie
 
 /// Before any text is drawn over the picture.
 void RenderClient::takeSnapshots() {
-  if (snapshot_tick_ && replica_->world().tick >= *snapshot_tick_) {
-    writeSnapshot(options_.eye);
-    snapshot_tick_.reset();
+  if (!planned_.empty() && replica_->world().tick >= planned_.front().tick) {
+    writeSnapshot(planned_.front().name);
+    planned_.pop_front();
   }
   if (snapshot_due_) trySnapshotByKey();
   snapshot_due_ = false;
@@ -223,26 +226,16 @@ void RenderClient::takeSnapshots() {
 
 void RenderClient::trySnapshotByKey() {
   const std::string name = fmt::format("{}_{:03}", options_.eye, ++snapshots_);
-  noticed_ = now();
   try {
     writeSnapshot(name);
-    notice_ = fmt::format("wrote {}.png", name);
+    overlay_.notify(fmt::format("wrote {}.png", name), now());
   } catch (const std::exception& e) {
-    notice_ = e.what();
+    overlay_.notify(e.what(), now());
   }
 }
 
 void RenderClient::showText() {
-  const std::int64_t silent_ns = now() - newest_arrived_;
-  std::string text;
-  if (overlay_) text = overlay_text_;
-  if (silent_ns > 500'000'000)
-    text = fmt::format("no signal from {}:{} for {:.1f} s: holding the last pose\n", options_.server.host,
-                       options_.server.port, static_cast<double>(silent_ns) / 1e9) +
-           text;
-  else if (!overlay_ && display_->hasWindow() && now() - started_ < kHintNs)
-    text = "F1 statistics   F2 snapshot   Esc quit";
-  if (!notice_.empty() && now() - noticed_ < kNoticeNs) text = notice_ + "\n" + text;
+  const std::string text = overlay_.text(now(), now() - newest_arrived_, *replica_, display_->hasWindow());
   if (!text.empty()) renderer_->drawText(views_, text);
 }
 
@@ -250,7 +243,17 @@ void RenderClient::handleInput() {
   const DisplayInput input = display_->poll();
   closed_ = closed_ || input.close;
   snapshot_due_ = snapshot_due_ || input.snapshot;
-  overlay_ = overlay_ != input.toggle_overlay;
+  if (input.toggle_overlay) overlay_.toggle();
+  if (input.switch_mode) switchMode();
+}
+
+/// The server decides, for all its clients at the same tick.
+void RenderClient::switchMode() {
+  if (replica_->scene().robot() != nullptr) {
+    link_.requestMode(replica_->world().mode == Mode::Operator ? Mode::Robot : Mode::Operator);
+    return;
+  }
+  overlay_.notify("there is no robot in this scene", now());
 }
 
 void RenderClient::writeSnapshot(const std::string& name) {
@@ -270,7 +273,7 @@ ClientStats RenderClient::stats() const {
   stats.frame_ms = spread(frame_time_, kMillisecond);
   stats.motion_to_present_ms = spread(motion_to_present_, kMillisecond);
   stats.eye = options_.eye;
-  stats.scene = replica_->session().scene;
+  stats.scene = replica_->session().scene.name;
   stats.renderer = renderer_->rendererName();
   stats.width = views_.empty() ? options_.width : views_.front().width;
   stats.height = views_.empty() ? options_.height : views_.front().height;

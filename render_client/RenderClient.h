@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "common/sync/Clock.h"
 #include "render_client/Options.h"
+#include "render_client/Overlay.h"
 #include "render_client/StatsReport.h"
 #include "render_client/draw/EyeViews.h"
 #include "render_client/draw/Renderer.h"
@@ -37,7 +39,7 @@ class RenderClient {
 
  private:
   void awaitMotion(ClientTime deadline);
-  void planSnapshot();
+  void planPictures();
   void buildWorld(const SessionConfig& session);
   void layGrid();
   void followSession();
@@ -48,6 +50,7 @@ class RenderClient {
   void takeSnapshots();
   void showText();
   void handleInput();
+  void switchMode();
   void writeSnapshot(const std::string& name);
   void trySnapshotByKey();
   bool finished() const;
@@ -59,7 +62,11 @@ class RenderClient {
   ServerLink link_;
   std::unique_ptr<Display> display_;
   EyeChoice eyes_;
-  std::optional<std::uint64_t> snapshot_tick_;  ///< still to be drawn and written
+  struct PlannedPicture {
+    std::uint64_t tick;
+    std::string name;
+  };
+  std::deque<PlannedPicture> planned_;  ///< still to be drawn and written, earliest first
   std::optional<Replica> replica_;
   std::optional<Renderer> renderer_;
   std::vector<EyeView> views_;
@@ -68,13 +75,10 @@ class RenderClient {
   ClientTime newest_arrived_;
   std::optional<ClientTime> first_frame_;
   ClientTime last_frame_;
-  bool overlay_ = false;
-  std::string overlay_text_;
+  Overlay overlay_;
   bool closed_ = false;
   bool snapshot_due_ = false;
   int snapshots_ = 0;
-  std::string notice_;  ///< shown for a while
-  ClientTime noticed_;
   std::uint64_t frames_ = 0;
   DurationHistogram frame_time_;
   DurationHistogram motion_to_present_;

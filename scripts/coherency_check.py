@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Says in words how a session of a motion server and two eyes went, and whether it is as it should be.
 
-Reads server.json, left.json, right.json (what --stats-json writes), left.png and right.png (--snapshot-dir) from one
-folder; writes stereo.png there. Exit status 0: all is well; 1: something is wrong, which is then named; 2: bad arguments.
+Reads server.json, left.json, right.json (what --stats-json writes), left.png and right.png or left_1.png and so on
+(--snapshot-dir, --snapshot-at) from one folder; writes stereo.png or stereo_1.png and so on there. Exit status 0: all is well; 1: something is wrong, which is then named; 2: bad arguments.
 Needs nothing but Python's standard library.
 """
 import argparse
@@ -83,27 +83,33 @@ def picture_faults(name, rows):
         yield f"{name}.png shows nothing: {len(counts)} colours, one of them on {share:.0%} of the picture"
 
 
-def stereo_faults(folder, since=None):
+def moments(folder):
+    """What the pictures' names end with: "" for left.png and right.png, "_1", "_2" ... for those of several moments."""
+    found = {path.stem.removeprefix(name) for name in ("left", "right") for path in folder.glob(f"{name}*.png")}
+    return sorted(found) or [""]
+
+
+def stereo_faults(folder, moment, since=None):
     pictures = {}
-    for name in ("left", "right"):
+    for name in (f"left{moment}", f"right{moment}"):
         path = folder / f"{name}.png"
         if not path.exists() or (since is not None and path.stat().st_mtime < since):
-            yield f"{path} is missing: the {name} eye drew no picture"
+            yield f"{path} is missing: that eye drew no picture"
             continue
         pictures[name] = read_png(path)
         yield from picture_faults(name, pictures[name][2])
     if len(pictures) < 2:
         return
-    left, right = pictures["left"], pictures["right"]
+    left, right = pictures.values()
     if left[:2] != right[:2]:
-        yield f"the pictures differ in size: {left[:2]} and {right[:2]}"
+        yield f"the pictures{moment} differ in size: {left[:2]} and {right[:2]}"
         return
     if left[2] == right[2]:
-        yield "left.png and right.png are the same picture: the eyes stand in one place"
+        yield f"left{moment}.png and right{moment}.png are the same picture: the eyes stand in one place"
     for key in ("tick", "hash"):
         if left[3].get(key) != right[3].get(key):
-            yield f"the pictures are not of one moment: {key} {left[3].get(key)} and {right[3].get(key)}"
-    write_png(folder / "stereo.png", 2 * left[0], left[1], [a + b for a, b in zip(left[2], right[2])])
+            yield f"the pictures{moment} are not of one moment: {key} {left[3].get(key)} and {right[3].get(key)}"
+    write_png(folder / f"stereo{moment}.png", 2 * left[0], left[1], [a + b for a, b in zip(left[2], right[2])])
 
 
 def eye_faults(name, eye):
@@ -143,6 +149,10 @@ def describe(server, eyes):
         print(f"{name} eye: {eye['frames']} frames of {eye['size'][0]}x{eye['size'][1]}, {eye['fps']:.1f} a second, "
               f"{eye['frame_ms']['p50']:.1f} ms each; motion to picture {latency['p50']:.1f} ms median, "
               f"{latency['p99']:.1f} ms p99; {eye['packets']['received']} packets, {eye['packets']['lost']} lost")
+    task = server["task"]
+    if task["towers"]:
+        print(f"task: {task['towers']} tower(s) of three blocks, the last {task['tower_s'] - task['started_s']:.1f} s after "
+              f"the joystick first moved, as {server['mode']}")
     stereo = server["stereo"]
     print(f"both eyes: {stereo['frames_agreeing']} of {stereo['frames_compared']} frames show the same state; shown "
           f"{stereo['present_skew_us']['p50'] / 1000:.1f} ms apart at the median")
@@ -177,6 +187,7 @@ def main():
     parser.add_argument("folder", type=pathlib.Path, help="where statistics and pictures are")
     parser.add_argument("--watch", type=float, metavar="S",
                         help="the session is running: wait for it, look on for S seconds, then judge")
+    parser.add_argument("--tower", action="store_true", help="the task must have been done: a tower of three blocks stood")
     arguments = parser.parse_args()
     if not arguments.folder.is_dir():
         parser.error(f"{arguments.folder}: no such folder")
@@ -191,7 +202,10 @@ def main():
         faults += server_faults(server)
         for name, eye in eyes.items():
             faults += eye_faults(name, eye)
-    faults += stereo_faults(arguments.folder, since)
+    if server and arguments.tower and not server["task"]["towers"]:
+        faults.append("no tower of three blocks was built")
+    for moment in moments(arguments.folder):
+        faults += stereo_faults(arguments.folder, moment, since)
     for fault in faults:
         print(f"WRONG: {fault}")
     print("verdict: " + ("all is well" if not faults else f"{len(faults)} faults"))

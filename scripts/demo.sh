@@ -1,25 +1,33 @@
 #!/usr/bin/env bash
-# Installs, builds, and runs one motion server and two eyes for a while; leaves out/left.png, out/right.png,
-# out/stereo.png and a report in words. Windows where there is a display, headless otherwise.
-# Usage: demo.sh [--seconds S] [--recording FILE] [--headless] [--size WxH]
+# Installs, builds, and runs one motion server and two eyes while a simulated operator drives to the table and builds a
+# tower of three blocks; leaves pictures of three moments of it in out/ (stereo_1.png to stereo_3.png: driving up, carrying,
+# done) and a report in words. Windows where there is a display, headless otherwise. In robot mode one is the slave robot.
+# Usage: demo.sh [--mode operator|robot] [--recording FILE] [--headless] [--size WxH]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-seconds=20
+seconds=27
+moments=5,14.3,24.5
 size=640x480
+judge=(--tower)
 display=""
 server_options=()
 while [ $# -gt 0 ]; do
   case "$1" in
-    --seconds) seconds=${2:?--seconds needs a number}; shift 2 ;;
-    --recording) server_options+=(--recording "${2:?--recording needs a file}"); shift 2 ;;
+    --mode)
+      case "${2:-}" in
+        operator) ;;
+        robot) moments=6,16,26; seconds=28 ;;
+        *) echo "demo.sh: --mode must be operator or robot" >&2; exit 2 ;;
+      esac
+      server_options+=(--mode "$2"); shift 2 ;;
+    --recording) server_options+=(--recording "${2:?--recording needs a file}"); judge=(); shift 2 ;;
     --size) size=${2:?--size needs WxH}; shift 2 ;;
     --headless) display=headless; shift ;;
-    -h | --help) sed -n '2,4s/^# //p' "$0"; exit 0 ;;
+    -h | --help) sed -n '2,5s/^# //p' "$0"; exit 0 ;;
     *) echo "demo.sh: unknown option '$1'; see --help" >&2; exit 2 ;;
   esac
 done
-[[ "$seconds" =~ ^[0-9]+$ && "$seconds" -ge 5 ]] || { echo "demo.sh: --seconds must be 5 or more" >&2; exit 2; }
 if [ -z "$display" ]; then
   if [ -n "${DISPLAY:-}" ]; then display=window; else display=headless; fi
 fi
@@ -53,7 +61,7 @@ done
 eyes=()
 for eye in left right; do
   build/release/render_client/render_client --server "$address" --eye "$eye" --display "$display" --size "$size" \
-    --duration "$seconds" --snapshot-dir out --snapshot-at $((seconds - 3)) --stats-json "out/$eye.json" \
+    --duration "$seconds" --snapshot-dir out --snapshot-at "$moments" --stats-json "out/$eye.json" \
     2>"out/$eye.log" &
   pids+=($!)
   eyes+=($!)
@@ -73,5 +81,5 @@ if [ "$failed" = yes ]; then
   exit 1
 fi
 echo "4/4 report"
-python3 scripts/coherency_check.py out
-echo "pictures: out/left.png out/right.png out/stereo.png"
+python3 scripts/coherency_check.py out "${judge[@]}"
+echo "pictures: out/stereo_1.png (driving up) out/stereo_2.png (carrying) out/stereo_3.png (done)"

@@ -32,7 +32,7 @@ build_and_test() {
   cmake --preset "$preset" -DCOHERENCY_WERROR=ON -DCOHERENCY_TESTS=ON -DCOHERENCY_BENCH=ON >/dev/null
   cmake --build --preset "$preset" --target $targets
   step "tests: $preset"
-  ctest --preset "$preset" "$@"
+  ctest --preset "$preset" -j "$(nproc)" "$@"
 }
 
 # Tests that start whole programs or open windows are about behaviour, not memory: the sanitizers leave them out, as

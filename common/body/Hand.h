@@ -15,8 +15,10 @@ class Hand : public VRObject {
   /// `wrist_to_palm`: Rig::hand, m; everything scales with it.
   Hand(Side side, double wrist_to_palm, std::string name);
 
-  /// 0 open, naturally curled, to 1 a closed fist; what lies beyond is taken as the nearer end.
+  /// See Grip.h.
   void setGrip(double grip);
+  /// Of the middle finger at its root, rad.
+  static double knuckleBend(double grip);
 
  private:
   void buildPalm();

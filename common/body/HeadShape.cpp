@@ -1,6 +1,7 @@
 #include "common/body/HeadShape.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/body/Assemble.h"
 #include "common/body/Palette.h"
@@ -9,17 +10,16 @@ namespace coherency {
 
 namespace {
 
-/// How much larger than the default rig's the skull must be to hold the eyes and reach down to the neck.
-double headScale(const Rig& rig) {
-  return std::max({0.8, rig.eye_forward / 0.085, rig.eye_distance / 0.074, std::abs(rig.eye_up) / 0.045});
-}
-
 std::vector<Loft::Section> scaled(std::vector<Loft::Section> sections, double k) {
   for (auto& s : sections) s = {s.at * k, s.a * k, s.b * k, s.centre_a * k, s.centre_b * k};
   return sections;
 }
 
 }  // namespace
+
+double headScale(const Rig& rig) {
+  return std::max({0.8, rig.eye_forward / 0.085, rig.eye_distance / 0.074, std::abs(rig.eye_up) / 0.045});
+}
 
 HeadShape::HeadShape(const Rig& rig) : VRObject("head shape") {
   buildSkull(rig);
@@ -53,33 +53,20 @@ void HeadShape::buildSkull(const Rig& rig) {
   assemble(*this, neck_, "neck", paint(palette::kSkin));
 }
 
+/// What the head-mounted display leaves free; eyes and brows are behind it.
 void HeadShape::buildFace(const Rig& rig) {
   const double k = headScale(rig);
   const Material skin = paint(palette::kSkin);
-  nose_.setSize({0.013 * k, 0.021 * k, 0.018 * k}, 10);
-  assemble(*this, nose_, "nose", skin, {0.0, rig.eye_up - 0.043 * k, -0.107 * k});
+  nose_.setSize({0.012 * k, 0.018 * k, 0.013 * k}, 10);
+  assemble(*this, nose_, "nose", skin, {0.0, rig.eye_up - 0.053 * k, -0.1035 * k});
   mouth_.setSize({0.024 * k, 0.0055 * k, 0.010 * k}, 10);
-  assemble(*this, mouth_, "mouth", paint(0xB3706A), {0.0, -0.057 * k, -0.0935 * k});
+  assemble(*this, mouth_, "mouth", paint(0xB3706A), {0.0, -0.060 * k, -0.1005 * k});
   for (std::size_t i = 0; i < 2; ++i) {
     const double side = i == 0 ? -1.0 : 1.0;
     const std::string which = i == 0 ? "left " : "right ";
     ears_[i].setSize({0.013 * k, 0.031 * k, 0.018 * k}, 10);
     assemble(*this, ears_[i], which + "ear", skin, {side * 0.079 * k, 0.002, 0.002});
-    brows_[i].setSize({0.021 * k, 0.0045 * k, 0.008 * k}, 10);
-    assemble(*this, brows_[i], which + "brow", paint(palette::kHair),
-             {side * 0.036 * k, rig.eye_up + 0.032 * k, -0.0965 * k});
-    buildEye(i, {side * rig.eye_distance / 2.0, rig.eye_up, -rig.eye_forward});
   }
-}
-
-/// Eyeball and iris hold the eye point inside them, for the same reason as the skull does.
-void HeadShape::buildEye(std::size_t i, const Coord3& at) {
-  const double k = headScale(Rig{});
-  const std::string which = i == 0 ? "left " : "right ";
-  eyeballs_[i].setSize({0.0175 * k, 0.0150 * k, 0.0220 * k}, 14);
-  assemble(*this, eyeballs_[i], which + "eyeball", paint(0xEDE8E0, 0.3), at);
-  irises_[i].setSize({0.0095 * k, 0.0095 * k, 0.0150 * k}, 12);
-  assemble(*this, irises_[i], which + "iris", paint(0x35506B, 0.5), at + Coord3{0.0, 0.0, -0.0085 * k});
 }
 
 }  // namespace coherency

@@ -8,6 +8,9 @@
 
 namespace coherency {
 
+/// How much larger than the default rig's the skull must be to hold the eyes.
+double headScale(const Rig& rig);
+
 /// Head and neck in the head frame, seen from outside. The eye points of the rig lie inside the convex skull,
 /// and faces are seen from outside only: the operator's own eyes see through the head as if it were not
 /// there, everybody else, lamps included, sees it.
@@ -18,7 +21,6 @@ class HeadShape : public VRObject {
  private:
   void buildSkull(const Rig& rig);
   void buildFace(const Rig& rig);
-  void buildEye(std::size_t i, const Coord3& at);
 
   Loft skull_;
   Loft hair_;
@@ -26,9 +28,6 @@ class HeadShape : public VRObject {
   Ellipsoid nose_;
   Ellipsoid mouth_;
   std::array<Ellipsoid, 2> ears_;
-  std::array<Ellipsoid, 2> eyeballs_;
-  std::array<Ellipsoid, 2> irises_;
-  std::array<Ellipsoid, 2> brows_;
 };
 
 }  // namespace coherency

@@ -1,9 +1,8 @@
 #include "common/body/Limbs.h"
 
-#include <cmath>
-
 #include "common/body/Assemble.h"
 #include "common/body/Palette.h"
+#include "common/body/Posture.h"
 
 namespace coherency {
 
@@ -12,30 +11,16 @@ namespace {
 constexpr double kElbowRadius = 0.045;
 constexpr double kKneeRadius = 0.062;
 
-/// Unit vector normal to the unit vector `x`, as near to `hint` as can be.
-Coord3 normalTo(const Coord3& x, const Coord3& hint) {
-  const Coord3 part = hint - x * dot(hint, x);
-  if (norm(part) > 1e-6 * norm(hint)) return normalized(part);
-  return normalized(cross(x, std::abs(x.y) < 0.9 ? Coord3{0.0, 1.0, 0.0} : Coord3{0.0, 0.0, 1.0}));
-}
-
 }  // namespace
-
-TransformMatrix frameAlong(const Coord3& from, const Coord3& to, const Coord3& z_hint) {
-  const Coord3 span = to - from;
-  const Coord3 x = norm(span) > 1e-9 ? normalized(span) : normalTo(normalized(z_hint), {0.0, 1.0, 0.0});
-  const Coord3 z = normalTo(x, z_hint);
-  return TransformMatrix::fromAxes(x, cross(z, x), z, from);
-}
 
 ArmShape::ArmShape(const Rig& rig, Hand::Side side, const std::string& name)
     : VRObject(name), hand_(side, rig.hand, name + " hand") {
   const double upper = rig.upper_arm;
-  upper_.setSections({{0.0, 0.064, 0.064},
-                      {0.22 * upper, 0.061, 0.061},
+  upper_.setSections({{0.0, 0.057, 0.057},
+                      {0.16 * upper, 0.061, 0.061},
                       {0.55 * upper, 0.056, 0.056},
                       {upper, kElbowRadius + 0.003, kElbowRadius + 0.003}},
-                     {Loft::Along::X, 14, 2.0, 0.060, kElbowRadius + 0.003});
+                     {Loft::Along::X, 14, 2.0, 0.046, kElbowRadius + 0.003});
   assemble(*this, upper_, name + " upper arm", paint(palette::kShirt));
   const double fore = rig.forearm;
   forearm_.setSections({{0.0, kElbowRadius, kElbowRadius},
@@ -45,7 +30,11 @@ ArmShape::ArmShape(const Rig& rig, Hand::Side side, const std::string& name)
                         {fore, 0.0225, 0.0280}},
                        {Loft::Along::X, 14, 2.0, kElbowRadius, 0.018});
   assemble(*this, forearm_, name + " forearm", paint(palette::kSkin));
-  cuff_.setSections({{0.10 * fore, 0.0515, 0.0515}, {0.30 * fore, 0.0500, 0.0505}},
+  // Round the elbow too, so that a bent arm's sleeve does not part there.
+  sleeve_.setSections({{0.0, 0.0485, 0.0485}, {0.12 * fore, 0.0515, 0.0515}, {0.27 * fore, 0.0500, 0.0505}},
+                      {Loft::Along::X, 14, 2.0, 0.0485, 0.0});
+  assemble(forearm_, sleeve_, name + " sleeve", paint(palette::kShirt));
+  cuff_.setSections({{0.25 * fore, 0.0520, 0.0525}, {0.31 * fore, 0.0515, 0.0520}},
                     {Loft::Along::X, 14, 2.0, 0.0, 0.0});
   assemble(forearm_, cuff_, name + " cuff", paint(palette::kShirtTrim));
   addMember(&hand_);

@@ -6,10 +6,6 @@
 
 namespace coherency {
 
-/// Frame at `from` whose x axis points to `to` and whose z axis is as near to `z_hint` as that allows. Where
-/// the two points are one, the axes are those of the hint. Precondition: z_hint is not zero.
-TransformMatrix frameAlong(const Coord3& from, const Coord3& to, const Coord3& z_hint);
-
 /// Upper arm, forearm and hand; each segment's x axis runs along it from its joint (ArmKinematics.h). Its own
 /// frame is the body frame.
 class ArmShape : public VRObject {
@@ -23,6 +19,7 @@ class ArmShape : public VRObject {
  private:
   Loft upper_;
   Loft forearm_;
+  Loft sleeve_;
   Loft cuff_;
   Hand hand_;
 };

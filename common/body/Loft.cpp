@@ -65,18 +65,6 @@ double ovalPoint(double half, double c, double other_half, double s, double n) {
   return std::copysign(half * std::pow(u, p - 1.0) / std::pow(sum, 1.0 / n), c);
 }
 
-Coord3 onAxes(Loft::Along along, double at, double a, double b) {
-  switch (along) {
-    case Loft::Along::X:
-      return {at, a, b};
-    case Loft::Along::Y:
-      return {b, at, a};
-    case Loft::Along::Z:
-      break;
-  }
-  return {a, b, at};
-}
-
 void appendRing(std::vector<Coord3>& vertices, const Section& s, const Loft::Form& form) {
   for (int k = 0; k < form.sides; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / form.sides;
@@ -111,6 +99,18 @@ void appendEnd(std::vector<Coord3>& vertices, Faces& faces, std::uint32_t ring, 
 }
 
 }  // namespace
+
+Coord3 onAxes(Loft::Along along, double at, double a, double b) {
+  switch (along) {
+    case Loft::Along::X:
+      return {at, a, b};
+    case Loft::Along::Y:
+      return {b, at, a};
+    case Loft::Along::Z:
+      break;
+  }
+  return {a, b, at};
+}
 
 void Loft::setSections(const std::vector<Section>& sections, const Form& form) {
   check(sections, form);

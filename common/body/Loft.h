@@ -36,4 +36,7 @@ class Loft : public Polyhedron {
   void setSections(const std::vector<Section>& sections, const Form& form);
 };
 
+/// The point `at` along the axis, and `a` and `b` along the two that follow it in the cycle x, y, z.
+Coord3 onAxes(Loft::Along along, double at, double a, double b);
+
 }  // namespace coherency

@@ -27,6 +27,9 @@ inline constexpr std::uint32_t kSole = 0xD9D3C6;
 inline constexpr std::uint32_t kSeat = 0x3C4A50;
 inline constexpr std::uint32_t kSeatFrame = 0x2B3135;
 inline constexpr std::uint32_t kMetal = 0xA3ABB0;
+inline constexpr std::uint32_t kWheel = 0x1F2224;
+inline constexpr std::uint32_t kHeadset = 0x3A4147;
+inline constexpr std::uint32_t kLink = 0xBFC4C6;
 inline constexpr std::uint32_t kAccent = 0xC9743A;
 }  // namespace palette
 

@@ -50,6 +50,13 @@ TransformMatrix headToEye(const Rig& rig, int side) {
   return TransformMatrix::translation({side * rig.eye_distance / 2.0, rig.eye_up, -rig.eye_forward});
 }
 
+TransformMatrix frameAlong(const Coord3& from, const Coord3& to, const Coord3& z_hint) {
+  const Coord3 span = to - from;
+  const Coord3 x = norm(span) > 1e-9 ? normalized(span) : normalPart({0.0, 1.0, 0.0}, normalized(z_hint));
+  const Coord3 z = normalPart(z_hint, x);
+  return TransformMatrix::fromAxes(x, cross(z, x), z, from);
+}
+
 TwoBoneLimb twoBoneLimb(const Coord3& root, const Coord3& tip, double first, double second,
                         const Coord3& pole) {
   assert(first > 0.0 && second > 0.0);

@@ -22,6 +22,10 @@ Posture posture(const Rig& rig, const ArmKinematics& arm, const MotionSample& sa
 /// T_head_eye: `side` is -1 for the left, +1 for the right, 0 for between the eyes.
 TransformMatrix headToEye(const Rig& rig, int side);
 
+/// Frame at `from` whose x axis points to `to` and whose z axis is as near to `z_hint` as that allows. Where
+/// the two points are one, the axes are those of the hint. Precondition: z_hint is not zero.
+TransformMatrix frameAlong(const Coord3& from, const Coord3& to, const Coord3& z_hint);
+
 /// Middle joint of a limb of two segments (lengths `first`, `second`, both > 0) from `root` to `tip`, bent
 /// towards the direction `pole` (not a point; its part along the limb does not matter). Where the tip is out
 /// of reach the limb is straight, where it is too near the limb is folded, and `tip_reached` is as near as it

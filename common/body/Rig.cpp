@@ -27,6 +27,7 @@ const std::vector<RigField>& rigFields() {
       {"thigh", &Rig::thigh, 0.1, 1.0},
       {"shin", &Rig::shin, 0.1, 1.0},
       {"foot", &Rig::foot, 0.05, 0.6},
+      {"robot_scale", &Rig::robot_scale, 0.5, 2.0},
   };
   return fields;
 }
@@ -40,6 +41,15 @@ void validate(const Rig& rig) {
          << " to " << field.max;
     throw std::domain_error(text.str());
   }
+}
+
+Rig robotRig(const Rig& rig) {
+  Rig robot = rig;
+  robot.name = rig.name + "'s robot";
+  for (const RigField& field : rigFields())
+    if (!field.name.starts_with("shoulder_tilt")) robot.*field.value *= rig.robot_scale;
+  robot.robot_scale = 1.0;
+  return robot;
 }
 
 Coord3 neutralHead(const Rig& rig) {
@@ -58,6 +68,13 @@ std::array<double, kDofCount> neutralPosture(const Rig& rig) {
   si[index(Dof::ElbowFlexion)] = std::numbers::pi / 2;
   si[index(Dof::ForearmRotation)] = -std::numbers::pi / 3;
   return si;
+}
+
+MotionSample neutralSample(const Rig& rig) {
+  MotionSample neutral;
+  const auto si = neutralPosture(rig);
+  for (std::size_t i = 0; i < kDofCount; ++i) neutral.units[i] = unitsFromSi(info(dofAt(i)).kind, si[i]);
+  return neutral;
 }
 
 }  // namespace coherency

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/math/Coord3.h"
-#include "common/motion/Dof.h"
+#include "common/motion/MotionSample.h"
 
 namespace coherency {
 
@@ -32,6 +32,7 @@ struct Rig {
   double thigh = 0.43;
   double shin = 0.42;
   double foot = 0.25;
+  double robot_scale = 1.0;  ///< the slave robot's size over the operator's
 };
 
 /// One row a measure: what configuration reads and refuses by.
@@ -46,9 +47,14 @@ const std::vector<RigField>& rigFields();
 /// Throws std::domain_error naming the first measure that is not finite or out of its range, and the range.
 void validate(const Rig& rig);
 
+/// The slave robot's measures: the operator's times robot_scale, so that their joints mean the same.
+Rig robotRig(const Rig& rig);
+
 /// Head centre in the body frame when sitting upright and looking ahead.
 Coord3 neutralHead(const Rig& rig);
 /// All DOFs in SI for an operator who sits upright, looks ahead, and rests the right forearm.
 std::array<double, kDofCount> neutralPosture(const Rig& rig);
+/// The same as a sample; no DOF of it is valid, as nothing was measured.
+MotionSample neutralSample(const Rig& rig);
 
 }  // namespace coherency

@@ -7,14 +7,24 @@
 #include <fmt/format.h>
 
 #include "common/config/RigFile.h"
+#include "common/config/SceneFile.h"
 #include "common/config/TomlTable.h"
-#include "common/world/Scene.h"
 
 namespace coherency {
 namespace {
 
 std::string besideFile(const std::string& file, const std::string& path) {
   return path.empty() ? path : (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
+}
+
+/// Beside the file's folder; for a file somewhere else, where the programs were installed.
+std::string scenesFolder(const std::string& file) {
+  std::string beside = besideFile(file, "../scenes");
+  std::error_code ignored;
+  if (std::filesystem::is_directory(beside, ignored)) return beside;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const auto installed = program.parent_path() / "../share/coherency/scenes";
+  return std::filesystem::is_directory(installed, ignored) ? installed.lexically_normal().string() : beside;
 }
 
 void readMaster(TomlTable& root, const std::string& path, ServerConfig& config) {
@@ -38,11 +48,18 @@ ServerConfig readServerConfig(const std::string& path) {
   const toml::table parsed = parseTomlFile(path);
   TomlTable root(&parsed, path, "");
   ServerConfig config;
-  config.scene = root.text("scene", config.scene);
-  const std::vector<std::string> scenes = sceneNames();
-  if (std::find(scenes.begin(), scenes.end(), config.scene) == scenes.end())
-    throw root.error("scene", fmt::format("\"{}\" is not known; must be one of: {}", config.scene,
-                                          fmt::join(scenes, ", ")));
+  config.scenes_folder = scenesFolder(path);
+  const std::string scene = root.text("scene", "laboratory");
+  const bool is_path = scene.ends_with(".toml");
+  try {
+    config.scene = readScene(is_path ? besideFile(path, scene) : scene, config.scenes_folder);
+  } catch (const ConfigError& e) {
+    throw root.error("scene", e.what());
+  }
+  config.mode =
+      root.oneOf("mode", "operator", {"operator", "robot"}) == "robot" ? Mode::Robot : Mode::Operator;
+  config.world_seed =
+      static_cast<std::uint64_t>(root.integer("world_seed", 0, 0, std::numeric_limits<std::int64_t>::max()));
   const std::string rig = root.text("rig", "");
   if (!rig.empty()) config.rig = readRig(besideFile(path, rig));
   TomlTable network = root.table("network");

@@ -4,13 +4,18 @@
 #include <string>
 
 #include "common/body/Rig.h"
+#include "common/world/SceneDescription.h"
+#include "common/world/WorldState.h"
 
 namespace coherency {
 
 /// Everything a motion server needs to know (configs/servers/).
 struct ServerConfig {
-  std::string scene = "laboratory";
+  std::string scenes_folder;  ///< where scenes are found by name: the file's ../scenes, else where installed
+  SceneDescription scene;
   Rig rig;
+  Mode mode = Mode::Operator;    ///< that the session begins in
+  std::uint64_t world_seed = 0;  ///< of what is scattered; 0: as the scene has it
   std::string address = "127.0.0.1";
   std::uint16_t port = 7430;
   int redundancy = 2;  ///< earlier samples in each packet, 0..7

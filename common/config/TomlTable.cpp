@@ -1,5 +1,6 @@
 #include "common/config/TomlTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -95,6 +96,36 @@ TomlTable TomlTable::table(std::string_view key) {
   const std::string full = name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
   if (node != nullptr && !node->is_table()) throw error(key, fmt::format("must be a table: [{}]", full));
   return {node == nullptr ? nullptr : node->as_table(), file_, full};
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key, std::size_t count, double min, double max) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const auto wrong = [&] {
+    return error(key, fmt::format("must be {} numbers from {} to {} in brackets", count, min, max));
+  };
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != count) throw wrong();
+  std::vector<double> values;
+  for (const toml::node& element : *list) {
+    const auto value = element.is_number() ? element.value<double>() : std::nullopt;
+    if (!value || !(*value >= min && *value <= max)) throw wrong();
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return {};
+  const toml::array* list = node->as_array();
+  if (list == nullptr ||
+      !std::all_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_table(); }))
+    throw error(key, fmt::format("must be tables: [[{}]]", key));
+  std::vector<TomlTable> all;
+  for (const toml::node& element : *list)
+    all.emplace_back(element.as_table(), file_, fmt::format("{}[{}]", key, all.size()));
+  return all;
 }
 
 void TomlTable::finish() const {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <toml++/toml.h>
 
@@ -30,7 +31,11 @@ class TomlTable {
   std::string text(std::string_view key, const std::string& fallback);
   std::string oneOf(std::string_view key, const std::string& fallback,
                     std::initializer_list<std::string_view> allowed);
+  /// `count` numbers in brackets; empty where the key is absent.
+  std::vector<double> numbers(std::string_view key, std::size_t count, double min, double max);
   TomlTable table(std::string_view key);
+  /// An array of tables, [[key]]; empty where it is absent.
+  std::vector<TomlTable> tables(std::string_view key);
   bool has(std::string_view key) const { return table_ != nullptr && table_->contains(key); }
 
   void finish() const;

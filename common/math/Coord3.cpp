@@ -63,7 +63,8 @@ Coord3 cross(const Coord3& a, const Coord3& b) {
 }
 
 double norm(const Coord3& a) {
-  // Not std::hypot, whose last bit is the C library's. Squares of lengths beyond these would overflow or lose bits.
+  // Not std::hypot, whose last bit is the C library's. Squares of lengths beyond these would overflow or lose
+  // bits.
   constexpr double kLarge = 0x1p+500;
   constexpr double kSmall = 0x1p-450;
   const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});

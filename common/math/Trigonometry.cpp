@@ -16,18 +16,17 @@ constexpr double kQuarter3 = 0x1.313198a2e0370p-61;
 constexpr double kQuartersInOne = 0.63661977236758134308;  // 2 / pi
 constexpr double kFarthest = 1e7;
 
-// Taylor's series for the angle r + rest, |r| <= pi / 4: the first term left out is below 2^-58 of the result, and of
-// the tiny rest only the first power counts.
+// Taylor's series for the angle r + rest, |r| <= pi / 4: the first term left out is below 2^-58 of the
+// result, and of the tiny rest only the first power counts.
 double sineNear(double r, double rest) {
   const double z = r * r;
   const double series =
       -1.0 / 6.0 +
       z * (1.0 / 120.0 +
            z * (-1.0 / 5040.0 +
-                z * (1.0 / 362880.0 +
-                     z * (-1.0 / 39916800.0 +
-                          z * (1.0 / 6227020800.0 +
-                               z * (-1.0 / 1307674368000.0 + z * (1.0 / 355687428096000.0)))))));
+                z * (1.0 / 362880.0 + z * (-1.0 / 39916800.0 +
+                                           z * (1.0 / 6227020800.0 + z * (-1.0 / 1307674368000.0 +
+                                                                          z * (1.0 / 355687428096000.0)))))));
   return r + (r * z * series + rest * (1.0 - 0.5 * z));
 }
 

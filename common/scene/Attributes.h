@@ -9,8 +9,8 @@
 namespace coherency {
 
 /// What an object has beside frame and faces: values of any type, at most one of each, found by whoever knows
-/// the type (paper, section III: "attributes other than those used in image generation"). A new sense is a new
-/// struct and its consumer; nothing here knows either. Types must be copyable.
+/// the type (paper, section III: "attributes other than those used in image generation"). A new sense is a
+/// new struct and its consumer; nothing here knows either. Types must be copyable.
 class Attributes {
  public:
   /// Replaces the value of the same type, if there is one.

@@ -8,7 +8,7 @@ namespace coherency {
 
 /// Something to be heard, at the object's origin.
 struct SoundSource {
-  std::string what;       ///< as a listener would put it: "a fan hums"
+  std::string what;        ///< as a listener would put it: "a fan hums"
   double level_db = 40.0;  ///< sound pressure level at 1 m, dB re 20 uPa
 };
 

@@ -50,6 +50,53 @@ bool read(const google::protobuf::RepeatedPtrField<wire::Measure>& in, Rig& rig)
   return seen.size() == rigFields().size();
 }
 
+BasePose read(const wire::Base& in) {
+  return {in.x_nm(), in.y_nm(), in.z_nm(), in.heading_units()};
+}
+
+void write(const BasePose& base, wire::Base& out) {
+  out.set_x_nm(base.x_nm);
+  out.set_y_nm(base.y_nm);
+  out.set_z_nm(base.z_nm);
+  out.set_heading_units(base.heading_units);
+}
+
+bool read(const wire::Scene& in, SceneDescription& scene) {
+  if (in.objects_size() > static_cast<int>(kMaxSceneObjects)) return false;
+  scene.name = in.name();
+  scene.operator_shown = in.operator_shown();
+  scene.driving = in.driving();
+  scene.start = read(in.start());
+  scene.workplace = read(in.workplace());
+  if (in.has_robot_start()) scene.robot = {read(in.robot_start()), read(in.robot_workplace())};
+  for (const wire::SceneObject& object : in.objects()) {
+    if (object.count() > static_cast<std::uint32_t>(kMaxObjectCount)) return false;
+    scene.objects.push_back({object.kind(), object.name(), read(object.place()), object.colour(),
+                             static_cast<std::int32_t>(object.count())});
+  }
+  return true;
+}
+
+void write(const SceneDescription& scene, wire::Scene& out) {
+  out.set_name(scene.name);
+  out.set_operator_shown(scene.operator_shown);
+  out.set_driving(scene.driving);
+  write(scene.start, *out.mutable_start());
+  write(scene.workplace, *out.mutable_workplace());
+  if (scene.robot) {
+    write(scene.robot->start, *out.mutable_robot_start());
+    write(scene.robot->workplace, *out.mutable_robot_workplace());
+  }
+  for (const ObjectPlacement& object : scene.objects) {
+    wire::SceneObject& placed = *out.add_objects();
+    placed.set_kind(object.kind);
+    placed.set_name(object.name);
+    write(object.place, *placed.mutable_place());
+    placed.set_colour(object.colour);
+    placed.set_count(static_cast<std::uint32_t>(object.count));
+  }
+}
+
 DecodedControl read(const wire::Welcome& in) {
   if (in.major() != kWireMajor) return Reject::Version;
   if (in.udp_port() > 65535 || in.period_ns() > static_cast<std::uint64_t>(kMaxPeriodNs))
@@ -58,11 +105,10 @@ DecodedControl read(const wire::Welcome& in) {
   session.session_id = in.session_id();
   session.client_id = in.client_id();
   session.client_token = in.client_token();
-  session.scene = in.scene();
   session.rig.name = in.rig_name();
   session.period_ns = static_cast<std::int64_t>(in.period_ns());
   session.udp_port = static_cast<std::uint16_t>(in.udp_port());
-  if (!read(in.rig(), session.rig)) return Reject::Malformed;
+  if (!read(in.scene(), session.scene) || !read(in.rig(), session.rig)) return Reject::Malformed;
   return ifValid(std::move(session));
 }
 
@@ -82,6 +128,11 @@ DecodedControl read(const wire::Goodbye& in) {
   // Causes of a newer minor version are no longer known one by one: they end the connection all the same.
   const bool known = in.cause() >= 0 && in.cause() <= wire::PROTOCOL;
   return ifValid(Goodbye{in.reason(), known ? static_cast<GoodbyeCause>(in.cause()) : GoodbyeCause::Leaving});
+}
+
+DecodedControl read(const wire::ModeRequest& in) {
+  if (in.mode() > static_cast<std::uint32_t>(Mode::Robot)) return Reject::Malformed;
+  return ModeRequest{static_cast<Mode>(in.mode())};
 }
 
 }  // namespace
@@ -106,7 +157,7 @@ std::vector<std::byte> encodeControl(const SessionConfig& welcome) {
   out.set_session_id(welcome.session_id);
   out.set_client_id(welcome.client_id);
   out.set_client_token(welcome.client_token);
-  out.set_scene(welcome.scene);
+  write(welcome.scene, *out.mutable_scene());
   out.set_rig_name(welcome.rig.name);
   for (const RigField& field : rigFields()) {
     wire::Measure& measure = *out.add_rig();
@@ -141,6 +192,13 @@ std::vector<std::byte> encodeControl(const Goodbye& goodbye) {
   return frame(message);
 }
 
+std::vector<std::byte> encodeControl(const ModeRequest& request) {
+  assert(isValid(request));
+  wire::ControlMessage message;
+  message.mutable_mode_request()->set_mode(static_cast<std::uint32_t>(request.mode));
+  return frame(message);
+}
+
 DecodedControl decodeControl(std::span<const std::byte> bytes) {
   if (bytes.size() > kMaxControlMessage) return Reject::Oversized;
   wire::ControlMessage message;
@@ -154,6 +212,8 @@ DecodedControl decodeControl(std::span<const std::byte> bytes) {
       return read(message.report());
     case wire::ControlMessage::kGoodbye:
       return read(message.goodbye());
+    case wire::ControlMessage::kModeRequest:
+      return read(message.mode_request());
     case wire::ControlMessage::BODY_NOT_SET:
       break;
   }

@@ -20,15 +20,45 @@ void write(const MotionSample& sample, wire::Sample& out) {
   out.mutable_units()->Assign(sample.units.begin(), sample.units.end());
 }
 
+void write(const Vehicle& vehicle, wire::Vehicle& out) {
+  wire::Base& base = *out.mutable_base();
+  base.set_x_nm(vehicle.base.x_nm);
+  base.set_y_nm(vehicle.base.y_nm);
+  base.set_z_nm(vehicle.base.z_nm);
+  base.set_heading_units(vehicle.base.heading_units);
+  out.set_velocity_right_um(vehicle.velocity_right_um);
+  out.set_velocity_ahead_um(vehicle.velocity_ahead_um);
+  out.set_turn_rate_units(vehicle.turn_rate_units);
+}
+
+void write(const Movable& movable, wire::Movable& out) {
+  out.set_holder(static_cast<std::uint32_t>(movable.holder));
+  out.set_x_nm(movable.x_nm);
+  out.set_y_nm(movable.y_nm);
+  out.set_z_nm(movable.z_nm);
+  out.mutable_attitude()->Assign(movable.attitude.begin(), movable.attitude.end());
+  out.set_fall_um(movable.fall_um);
+  out.set_resting(movable.resting);
+  out.set_unrest_us(movable.unrest_us);
+}
+
+void write(const TaskClock& task, wire::Task& out) {
+  out.set_started_tick(task.started_tick);
+  out.set_done_tick(task.done_tick);
+  out.set_towers(task.towers);
+  out.set_standing(task.standing);
+}
+
 void write(const WorldState& world, wire::World& out) {
   out.set_tick(world.tick);
-  out.set_base_x_nm(world.base.x_nm);
-  out.set_base_y_nm(world.base.y_nm);
-  out.set_base_z_nm(world.base.z_nm);
-  out.set_heading_units(world.base.heading_units);
-  out.set_velocity_right_um(world.velocity_right_um);
-  out.set_velocity_ahead_um(world.velocity_ahead_um);
-  out.set_turn_rate_units(world.turn_rate_units);
+  out.set_mode(static_cast<std::uint32_t>(world.mode));
+  write(world.master, *out.mutable_master());
+  write(world.robot, *out.mutable_robot());
+  out.set_closed_hands(world.closed_hands);
+  out.mutable_movables()->Clear();
+  for (const Movable& movable : world.movables) write(movable, *out.add_movables());
+  out.mutable_doors()->Assign(world.doors.begin(), world.doors.end());
+  write(world.task, *out.mutable_task());
 }
 
 bool read(const wire::Sample& in, MotionSample& sample) {
@@ -41,14 +71,43 @@ bool read(const wire::Sample& in, MotionSample& sample) {
   return true;
 }
 
-WorldState read(const wire::World& in) {
-  WorldState world;
+Vehicle read(const wire::Vehicle& in) {
+  const wire::Base& base = in.base();
+  return {{base.x_nm(), base.y_nm(), base.z_nm(), base.heading_units()},
+          in.velocity_right_um(),
+          in.velocity_ahead_um(),
+          in.turn_rate_units()};
+}
+
+bool read(const wire::Movable& in, Movable& movable) {
+  if (in.holder() > static_cast<std::uint32_t>(Holder::RobotHand) ||
+      in.attitude_size() != static_cast<int>(movable.attitude.size()))
+    return false;
+  movable.holder = static_cast<Holder>(in.holder());
+  movable.x_nm = in.x_nm();
+  movable.y_nm = in.y_nm();
+  movable.z_nm = in.z_nm();
+  std::copy(in.attitude().begin(), in.attitude().end(), movable.attitude.begin());
+  movable.fall_um = in.fall_um();
+  movable.resting = in.resting();
+  movable.unrest_us = in.unrest_us();
+  return true;
+}
+
+bool read(const wire::World& in, WorldState& world) {
+  if (in.mode() > static_cast<std::uint32_t>(Mode::Robot) || in.closed_hands() > 3 ||
+      in.movables_size() > static_cast<int>(kMaxMovables) || in.doors_size() > static_cast<int>(kMaxDoors))
+    return false;
   world.tick = in.tick();
-  world.base = {in.base_x_nm(), in.base_y_nm(), in.base_z_nm(), in.heading_units()};
-  world.velocity_right_um = in.velocity_right_um();
-  world.velocity_ahead_um = in.velocity_ahead_um();
-  world.turn_rate_units = in.turn_rate_units();
-  return world;
+  world.mode = static_cast<Mode>(in.mode());
+  world.master = read(in.master());
+  world.robot = read(in.robot());
+  world.closed_hands = static_cast<std::uint8_t>(in.closed_hands());
+  for (const wire::Movable& movable : in.movables())
+    if (!read(movable, world.movables.emplace_back())) return false;
+  world.doors.assign(in.doors().begin(), in.doors().end());
+  world.task = {in.task().started_tick(), in.task().done_tick(), in.task().towers(), in.task().standing()};
+  return true;
 }
 
 DecodedDatagram read(const wire::Motion& in) {
@@ -56,8 +115,9 @@ DecodedDatagram read(const wire::Motion& in) {
   packet.session_id = in.session_id();
   packet.hash = in.hash();
   // A World with every field zero is empty on the wire but there all the same.
-  if (!in.has_world() || !in.has_sample() || !read(in.sample(), packet.sample)) return Reject::Malformed;
-  packet.world = read(in.world());
+  if (!in.has_world() || !in.has_sample() || !read(in.sample(), packet.sample) ||
+      !read(in.world(), packet.world))
+    return Reject::Malformed;
   packet.previous.resize(std::min(static_cast<std::size_t>(in.previous_size()), kMaxPrevious + 1));
   for (std::size_t i = 0; i < packet.previous.size(); ++i) {
     if (!read(in.previous(static_cast<int>(i)), packet.previous[i])) return Reject::Malformed;
@@ -109,6 +169,9 @@ void DatagramCodec::encode(const MotionPacket& packet, std::vector<std::byte>& o
   write(packet.world, *motion.mutable_world());
   motion.mutable_previous()->Clear();
   for (const MotionSample& sample : packet.previous) write(sample, *motion.add_previous());
+  // The state comes first: where a world is large, fewer of the samples before fit beside it.
+  while (memory_->motion.ByteSizeLong() + kEnvelopePrefix > kMaxDatagram)
+    motion.mutable_previous()->RemoveLast();
   serialize(memory_->motion, out);
 }
 

@@ -22,7 +22,8 @@ class DatagramCodec {
   DatagramCodec(const DatagramCodec&) = delete;
   DatagramCodec& operator=(const DatagramCodec&) = delete;
 
-  /// Replaces what `out` held. Precondition: isValid() of what is given.
+  /// Replaces what `out` held. Precondition: isValid() of what is given. Of a packet's previous samples as
+  /// many are sent as fit into kMaxDatagram.
   void encode(const MotionPacket& packet, std::vector<std::byte>& out);
   void encode(const ClockProbe& probe, std::vector<std::byte>& out);
   void encode(const ClockReply& reply, std::vector<std::byte>& out);

@@ -6,13 +6,14 @@
 
 #include "common/body/Rig.h"
 #include "common/motion/MotionSample.h"
+#include "common/world/SceneDescription.h"
 #include "common/world/WorldState.h"
 
 namespace coherency {
 
 /// Version of the wire, negotiated at Hello: another major is refused, unknown fields of a newer minor are
 /// ignored.
-inline constexpr std::uint32_t kWireMajor = 1;
+inline constexpr std::uint32_t kWireMajor = 2;
 inline constexpr std::uint32_t kWireMinor = 0;
 inline constexpr std::uint16_t kDefaultPort = 7430;  ///< TCP and UDP
 
@@ -21,7 +22,7 @@ struct SessionConfig {
   std::uint64_t session_id = 0;    ///< random; datagrams of another session are foreign
   std::uint32_t client_id = 0;     ///< this client's, in its datagrams to the server
   std::uint64_t client_token = 0;  ///< random; proves that a datagram comes from the client that was welcomed
-  std::string scene;
+  SceneDescription scene;
   Rig rig;
   std::int64_t period_ns = 1'000'000;  ///< of sampling
   std::uint16_t udp_port = 0;          ///< where the server's motion comes from and probes go to
@@ -73,6 +74,11 @@ struct ClientReport {
   std::uint64_t packets_received = 0;
   std::uint64_t packets_lost = 0;
   bool operator==(const ClientReport&) const = default;
+};
+/// Client to server: whom the operator wishes to be from the next tick on.
+struct ModeRequest {
+  Mode mode = Mode::Operator;
+  bool operator==(const ModeRequest&) const = default;
 };
 /// Either way: why the connection ends.
 enum class GoodbyeCause : std::uint8_t {

@@ -11,8 +11,9 @@ namespace {
 bool isTime(std::int64_t ns) {
   return ns >= 0 && ns <= kMaxTimeNs;
 }
-bool isCoordinate(std::int64_t nm) {
-  return nm >= -kMaxBaseNm && nm <= kMaxBaseNm;
+bool isPlace(const BasePose& at) {
+  const auto within = [](std::int64_t nm) { return nm >= -kWorldLimitNm && nm <= kWorldLimitNm; };
+  return within(at.x_nm) && within(at.y_nm) && within(at.z_nm);
 }
 bool isPrintable(char c) {
   return c >= 0x20 && c <= 0x7e;
@@ -71,10 +72,6 @@ bool isValid(const MotionSample& sample) {
   return true;
 }
 
-bool isValid(const WorldState& world) {
-  return isCoordinate(world.base.x_nm) && isCoordinate(world.base.y_nm) && isCoordinate(world.base.z_nm);
-}
-
 bool isValid(const MotionPacket& packet) {
   if (packet.session_id == 0 || packet.previous.size() > kMaxPrevious) return false;
   if (!isValid(packet.sample) || !isValid(packet.world)) return false;
@@ -99,10 +96,20 @@ bool isValid(const Hello& hello) {
   return hello.major != kWireMajor || (isEye(hello.eye) && isPlainText(hello.software));
 }
 
+bool isValid(const SceneDescription& scene) {
+  const bool places = isPlace(scene.start) && isPlace(scene.workplace) &&
+                      (!scene.robot || (isPlace(scene.robot->start) && isPlace(scene.robot->workplace)));
+  return isSceneName(scene.name) && places && scene.objects.size() <= kMaxSceneObjects &&
+         std::all_of(scene.objects.begin(), scene.objects.end(), [](const ObjectPlacement& object) {
+           return isPlainText(object.kind) && isPlainText(object.name) && isPlainText(object.colour) &&
+                  isPlace(object.place) && object.count >= 0 && object.count <= kMaxObjectCount;
+         });
+}
+
 bool isValid(const SessionConfig& session) {
   return session.session_id != 0 && session.client_id != 0 && session.udp_port != 0 &&
-         session.period_ns >= kMinPeriodNs && session.period_ns <= kMaxPeriodNs &&
-         isSceneName(session.scene) && isRig(session.rig);
+         session.period_ns >= kMinPeriodNs && session.period_ns <= kMaxPeriodNs && isValid(session.scene) &&
+         isRig(session.rig);
 }
 
 bool isValid(const ClientReport& report) {
@@ -114,6 +121,10 @@ bool isValid(const ClientReport& report) {
 
 bool isValid(const Goodbye& goodbye) {
   return isPlainText(goodbye.reason) && goodbye.cause <= GoodbyeCause::Protocol;
+}
+
+bool isValid(const ModeRequest& request) {
+  return request.mode <= Mode::Robot;
 }
 
 bool isSceneName(std::string_view name) {

@@ -13,14 +13,14 @@ inline constexpr std::size_t kMaxPrevious = 7;  ///< redundant samples in a pack
 inline constexpr std::size_t kMaxReportFrames = 1000;
 inline constexpr std::size_t kMaxText = 200;                       ///< bytes of a name, a scene or a reason
 inline constexpr std::int64_t kMaxTimeNs = std::int64_t{1} << 60;  ///< 36 years; sums of four cannot overflow
-inline constexpr std::int64_t kMaxBaseNm = std::int64_t{1} << 60;  ///< a billion metres
+inline constexpr std::size_t kMaxSceneObjects = 200;
+inline constexpr std::int32_t kMaxObjectCount = 10'000'000;
 inline constexpr std::int64_t kMinPeriodNs = 100'000;
 inline constexpr std::int64_t kMaxPeriodNs = 1'000'000'000;
 
 /// Whether a value can be true at all. A DOF marked valid must lie in its range; one that is held need not,
 /// since the neutral posture of an unusual rig may lie outside.
 bool isValid(const MotionSample& sample);
-bool isValid(const WorldState& world);
 /// The above, and previous samples in falling order of sequence. Whether the hash holds is hashHolds()'s
 /// question.
 bool isValid(const MotionPacket& packet);
@@ -28,9 +28,12 @@ bool isValid(const ClockProbe& probe);
 bool isValid(const ClockReply& reply);
 /// A Hello of another major version is valid whatever else it says: it must reach who can answer it.
 bool isValid(const Hello& hello);
+/// Names and places that can be; whether there are such objects is for who makes them to say.
+bool isValid(const SceneDescription& scene);
 bool isValid(const SessionConfig& session);
 bool isValid(const ClientReport& report);
 bool isValid(const Goodbye& goodbye);
+bool isValid(const ModeRequest& request);
 
 /// Scene names: 1 to kMaxText of a-z, A-Z, 0-9 and `_ - . :`.
 bool isSceneName(std::string_view name);

@@ -1,52 +1,156 @@
 #include "common/world/Scene.h"
 
+#include <algorithm>
+#include <cassert>
+#include <set>
 #include <stdexcept>
 
-#include "common/world/Laboratory.h"
-#include "common/world/Targets.h"
+#include "common/body/Grip.h"
+#include "common/math/FixedPoint.h"
+#include "common/world/Catalogue.h"
 
 namespace coherency {
 
 namespace {
 
-template <class Kind>
-std::unique_ptr<Scene> make(const Rig& rig) {
-  return std::make_unique<Kind>(rig);
+DofMask dofsFrom(Dof first, Dof last) {
+  DofMask all = 0;
+  for (std::size_t i = index(first); i <= index(last); ++i) all |= mask(dofAt(i));
+  return all;
 }
 
-struct Entry {
-  const char* name;
-  std::unique_ptr<Scene> (*make)(const Rig&);
-};
-constexpr Entry kScenes[] = {
-    {"laboratory", make<Laboratory>},
-    {"targets", make<Targets>},
-};
+VehicleModel vehicle(const std::vector<FootprintDisc>& footprint, const Rig& rig, double scale,
+                     const BasePose& start) {
+  VehicleModel model;
+  model.footprint = footprint;
+  model.rig = rig;
+  model.scale = scale;
+  model.start = start;
+  return model;
+}
+
+/// Fingers do not go into what they hold.
+MotionSample aroundHeld(const MotionSample& sample, const WorldState& state, Holder hand) {
+  const bool holds = std::any_of(state.movables.begin(), state.movables.end(),
+                                 [&](const Movable& m) { return m.holder == hand; });
+  if (!holds) return sample;
+  MotionSample shown = sample;
+  std::int32_t& grip = shown.units[index(Dof::Grip)];
+  grip = std::min(grip, unitsFromRatio(kHoldingGrip));
+  return shown;
+}
 
 }  // namespace
 
-Scene::Scene(std::string name, const Rig& rig, HumanShown shown)
-    : VRObject(std::move(name)), human_(rig, shown) {
+Scene::Scene(const SceneDescription& description, const Rig& rig)
+    : VRObject(description.name),
+      description_(description),
+      rig_(rig),
+      human_(rig, description.operator_shown ? HumanShown::Whole : HumanShown::None) {
   addMember(&human_);
+  Stage stage{rig_, human_};
+  addObjects(stage);
+  WorldModel model;
+  model.driving = description.driving;
+  model.master = vehicle(masterFootprint(rig), rig, 1.0, description.start);
+  if (description.robot) {
+    robot_ = std::make_unique<SlaveRobot>(robotRig(rig));
+    addMember(robot_.get());
+    model.robot =
+        vehicle(robotFootprint(robotRig(rig)), robotRig(rig), rig.robot_scale, description.robot->start);
+  }
+  gather(model);
+  world_ = std::make_unique<World>(std::move(model));
+  const WorldState start = initialState();
+  apply(start, neutralSample(rig_));
+}
+
+Scene::~Scene() = default;
+
+void Scene::addObjects(Stage& stage) {
+  std::set<std::string> names;
+  for (const ObjectPlacement& placement : description_.objects) {
+    if (!names.insert(placement.name).second)
+      throw std::invalid_argument("two objects are called '" + placement.name +
+                                  "'; give one of them another name");
+    objects_.push_back(makeObject(placement, stage));
+    addMember(objects_.back().get());
+  }
+}
+
+void Scene::gather(WorldModel& model) {
+  std::vector<VRObject*> objects;
+  for (const auto& object : objects_) objects.push_back(object.get());
+  objects.push_back(&human_);
+  if (robot_) objects.push_back(robot_.get());
+  Gathered found = coherency::gather(objects);
+  model.solids = std::move(found.solids);
+  model.doors = std::move(found.doors);
+  model.movables = std::move(found.movables);
+  movables_ = std::move(found.carried);
+  doors_ = std::move(found.leaves);
+  lights_ = std::move(found.lights);
+  targets_ = std::move(found.targets);
+  if (!found.ambients.empty()) ambient_ = found.ambients.front();
+  std::vector<BasePose> robot_places;
+  if (description_.robot) robot_places = {description_.robot->start, description_.robot->workplace};
+  checkPlaces(model, {description_.start, description_.workplace}, robot_places);
+}
+
+const ViewPoint& Scene::eye(Eye which, Mode mode) const {
+  return mode == Mode::Robot && robot_ ? robot_->eye(which) : human_.eye(which);
+}
+
+const VRObject& Scene::hand(Mode mode) const {
+  return mode == Mode::Robot && robot_ ? robot_->rightHand() : human_.rightHand();
+}
+
+WorldState Scene::initialState(std::uint64_t seed) const {
+  WorldState state = world_->initialState();
+  if (seed != 0 && description_.scatter) world_->scatter(state, *description_.scatter, seed);
+  return state;
+}
+
+DofMask Scene::dofs() const {
+  if (description_.operator_shown || robot_) return kAllDofs;
+  DofMask needed = dofsFrom(Dof::HeadX, Dof::HeadRoll);
+  if (!movables_.empty() || !human_.rightHand().members().empty())
+    needed |= dofsFrom(Dof::ShoulderFlexion, Dof::Grip);
+  if (description_.driving) needed |= dofsFrom(Dof::StickX, Dof::PedalRight);
+  return needed;
 }
 
 void Scene::apply(const WorldState& state, const MotionSample& sample) {
-  human_.setTransform(coherency::transform(state.base));
-  human_.setSample(sample);
+  assert(fits(state));
+  human_.setTransform(coherency::transform(state.master.base));
+  human_.setSample(aroundHeld(sample, state, Holder::OperatorHand));
+  if (robot_) {
+    robot_->setTransform(coherency::transform(state.robot.base));
+    robot_->setSample(scaled(aroundHeld(sample, state, Holder::RobotHand), rig_.robot_scale));
+  }
+  for (std::size_t i = 0; i < doors_.size(); ++i)
+    doors_[i].leaf->setPosition(doors_[i].closed + doors_[i].slide * ratioFromUnits(state.doors[i]));
+  applyMovables(state);
 }
 
-std::vector<std::string> sceneNames() {
-  std::vector<std::string> names;
-  for (const Entry& entry : kScenes) names.emplace_back(entry.name);
-  return names;
+void Scene::applyMovables(const WorldState& state) {
+  for (std::size_t i = 0; i < movables_.size(); ++i) {
+    const Movable& m = state.movables[i];
+    TransformMatrix t_world_movable = coherency::transform(m);
+    if (m.holder == Holder::OperatorHand)
+      t_world_movable = human_.rightHand().globalTransform() * t_world_movable;
+    else if (m.holder == Holder::RobotHand && robot_)
+      t_world_movable = robot_->rightHand().globalTransform() * t_world_movable;
+    movables_[i]->setGlobalTransform(t_world_movable);
+  }
 }
 
-std::unique_ptr<Scene> makeScene(std::string_view name, const Rig& rig) {
-  for (const Entry& entry : kScenes)
-    if (name == entry.name) return entry.make(rig);
-  std::string known;
-  for (const Entry& entry : kScenes) known += (known.empty() ? "'" : ", '") + std::string(entry.name) + "'";
-  throw std::invalid_argument("no scene '" + std::string(name) + "'; there are " + known);
+bool Scene::fits(const WorldState& state) const {
+  const bool robot_needed = state.mode == Mode::Robot ||
+                            std::any_of(state.movables.begin(), state.movables.end(),
+                                        [](const Movable& m) { return m.holder == Holder::RobotHand; });
+  return state.movables.size() == movables_.size() && state.doors.size() == doors_.size() &&
+         (robot_ || !robot_needed);
 }
 
 }  // namespace coherency

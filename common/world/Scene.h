@@ -1,67 +1,75 @@
 #pragma once
 
 #include <memory>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "common/body/SlaveRobot.h"
 #include "common/body/VirtualHuman.h"
-#include "common/world/WorldState.h"
+#include "common/scene/Light.h"
+#include "common/world/Gather.h"
+#include "common/world/SceneDescription.h"
+#include "common/world/World.h"
 
 namespace coherency {
 
-/// A lamp that shines from a point with inverse-square falloff, or from everywhere above (`sky`).
-struct Light {
-  Coord3 position;               ///< m, world
-  Coord3 colour{1.0, 1.0, 1.0};  ///< linear RGB
-  double intensity = 1.0;        ///< irradiance at 1 m, in units of a white surface's full brightness
-};
+struct Stage;
 
-/// A world to be in: the root of the tree, with the virtual human as one of its members. Derive from it, hold
-/// objects as data members, register them with addMember(), and add a line to the table in Scene.cpp.
+/// A world to be in, as a tree: the virtual human, the slave robot where there is one, and the objects that
+/// its description names. What the objects are to the world (in the way, to be grasped, a door, a lamp)
+/// stands in their attributes (common/scene/Physical.h, Light.h) and is gathered here once.
 class Scene : public VRObject {
  public:
-  /// Throws std::domain_error where the rig is not valid.
-  Scene(std::string name, const Rig& rig, HumanShown shown = HumanShown::Whole);
+  /// Throws std::domain_error where the rig is not valid, and std::invalid_argument naming the objects where
+  /// one is of no known kind, two have one name, one stands in another or in what drives, or something that
+  /// stands in the way is tilted or scaled.
+  Scene(const SceneDescription& description, const Rig& rig);
+  ~Scene() override;
 
+  const SceneDescription& description() const { return description_; }
   VirtualHuman& human() { return human_; }
   const VirtualHuman& human() const { return human_; }
-  const std::vector<Light>& lights() const { return lights_; }
-  Coord3 skyLight() const { return sky_; }        ///< ambient light from above, linear RGB
-  Coord3 groundLight() const { return ground_; }  ///< and from below
-  const DriveArea& driveArea() const { return area_; }
-  const BasePose& start() const { return start_; }
-  /// Places worth reaching for, in world coordinates: what a simulated operator looks at and puts its hand
-  /// to.
+  /// Null where the scene has none.
+  const SlaveRobot* robot() const { return robot_.get(); }
+  /// Whose eyes they are depends on the mode.
+  const ViewPoint& eye(Eye which, Mode mode) const;
+  /// Likewise the right wrist's frame.
+  const VRObject& hand(Mode mode) const;
+
+  /// The rules by which its states go on.
+  const World& world() const { return *world_; }
+  /// Where a session begins. Seed 0: everything where the description has it; others: what can be grasped is
+  /// scattered over the description's area, if it has one.
+  WorldState initialState(std::uint64_t seed = 0) const;
+  /// DOFs that move anything here; a scene that only looks has six.
+  DofMask dofs() const;
+
+  const std::vector<Light>& lights() const { return lights_; }  ///< positions in the world
+  const Ambient& ambient() const { return ambient_; }
+  /// Places worth putting a hand to, in world coordinates (Reachable).
   const std::vector<Coord3>& targets() const { return targets_; }
-  /// Where the base should be to reach them.
-  const BasePose& workplace() const { return workplace_; }
 
-  /// Brings the tree into the given state: the human is placed on its base and takes up the sample's posture.
+  /// Brings the tree into the given state and posture. Precondition: the state has this world's movables and
+  /// doors.
   void apply(const WorldState& state, const MotionSample& sample);
-
- protected:
-  void addLight(const Light& light) { lights_.push_back(light); }
-  void setAmbient(const Coord3& sky, const Coord3& ground) { sky_ = sky, ground_ = ground; }
-  void setDriveArea(const DriveArea& area) { area_ = area; }
-  void setStart(const BasePose& start) { start_ = start; }
-  void setWorkplace(const BasePose& workplace) { workplace_ = workplace; }
-  void addTarget(const Coord3& target) { targets_.push_back(target); }
+  /// Whether a state is one of this world's: as many movables and doors, and a mode there is.
+  bool fits(const WorldState& state) const;
 
  private:
-  VirtualHuman human_;
-  std::vector<Light> lights_;
-  Coord3 sky_{0.4, 0.4, 0.4};
-  Coord3 ground_{0.2, 0.2, 0.2};
-  DriveArea area_;
-  BasePose start_;
-  BasePose workplace_;
-  std::vector<Coord3> targets_;
-};
+  void addObjects(Stage& stage);
+  void gather(WorldModel& model);
+  void applyMovables(const WorldState& state);
 
-/// Names makeScene() knows.
-std::vector<std::string> sceneNames();
-/// Throws std::invalid_argument naming the scene and those there are.
-std::unique_ptr<Scene> makeScene(std::string_view name, const Rig& rig);
+  SceneDescription description_;
+  Rig rig_;
+  VirtualHuman human_;
+  std::unique_ptr<SlaveRobot> robot_;
+  std::vector<std::unique_ptr<VRObject>> objects_;
+  std::vector<VRObject*> movables_;
+  std::vector<DoorLeaf> doors_;
+  std::vector<Light> lights_;
+  Ambient ambient_;
+  std::vector<Coord3> targets_;
+  std::unique_ptr<World> world_;
+};
 
 }  // namespace coherency

@@ -1,61 +1,132 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
-#include "common/math/TransformMatrix.h"
+#include <boost/container/static_vector.hpp>
+
+#include "common/math/Rotation.h"
 #include "common/motion/MotionSample.h"
+#include "common/world/BasePose.h"
 
 namespace coherency {
 
-/// Where the operator's base (the body frame on the floor) is: integer, so that it is the same bits in every
-/// replica.
-struct BasePose {
-  std::int64_t x_nm = 0;
-  std::int64_t y_nm = 0;
-  std::int64_t z_nm = 0;
-  std::int32_t heading_units = 0;  ///< 2^-32 turns about +y; 0 faces -z; positive turns left
-  bool operator==(const BasePose&) const = default;
-};
+/// Whom the operator is: the virtual human on the master system, or the slave robot (paper, section IV.B).
+enum class Mode : std::uint8_t { Operator, Robot };
 
-/// T_world_body.
-TransformMatrix transform(const BasePose& base);
-
-/// What the session shares beside the sample. Plain data and integers; the server steps it, clients receive
-/// it.
-struct WorldState {
-  std::uint64_t tick = 0;  ///< sampling periods since the session began
+/// Something that drives on the floor: the master system with the operator on it, or the slave robot.
+struct Vehicle {
   BasePose base;
   /// Speed in the base's own axes and about +y, per second.
   std::int32_t velocity_right_um = 0;
   std::int32_t velocity_ahead_um = 0;
   std::int32_t turn_rate_units = 0;  ///< 2^-32 turns a second
-  bool operator==(const WorldState&) const = default;
+  bool operator==(const Vehicle&) const = default;
 };
 
-/// FNV-1a, 64 bit, over the little-endian bytes of all fields of both, in order of declaration: what replicas
-/// prove their equality by.
+enum class Holder : std::uint8_t { Nobody, OperatorHand, RobotHand };
+
+/// A cube that can be carried. What a hand holds has its pose in that hand's frame, so that it is drawn from
+/// the frame the hand is drawn from and never lags it.
+struct Movable {
+  Holder holder = Holder::Nobody;
+  std::int64_t x_nm = 0;  ///< of its centre, in the world or in the holding hand's frame (ArmKinematics.h)
+  std::int64_t y_nm = 0;
+  std::int64_t z_nm = 0;
+  std::array<std::int32_t, 4> attitude{0, 0, 0, 1 << 30};  ///< quaternion x, y, z, w in 2^-30; w >= 0
+  std::int32_t fall_um = 0;                                ///< speed downwards, um/s
+  bool resting = true;                                     ///< stands on something and will stay
+  std::uint32_t unrest_us = 0;  ///< how long it has sought its rest in touch with things since it was let go
+  bool operator==(const Movable&) const = default;
+};
+Quaternion attitude(const Movable& movable);
+void setAttitude(Movable& movable, const Quaternion& q);
+/// T_world_movable or T_hand_movable.
+TransformMatrix transform(const Movable& movable);
+
+/// The building task (paper, section V): three blocks one upon the other, none in a hand.
+struct TaskClock {
+  std::uint64_t started_tick = 0;  ///< of the first motion of the joystick; 0: not yet
+  std::uint64_t done_tick = 0;     ///< when a tower stood last; 0: never yet
+  std::uint32_t towers = 0;        ///< how many have been built
+  bool standing = false;           ///< one stands now
+  bool operator==(const TaskClock&) const = default;
+};
+
+inline constexpr std::size_t kMaxMovables = 8;
+inline constexpr std::size_t kMaxDoors = 16;
+inline constexpr std::int32_t kDoorOpen = 1 << 30;
+inline constexpr std::int32_t kDoorPassable = kDoorOpen / 10 * 9;  ///< from here on nobody is stopped
+
+/// What the session shares beside the sample. Plain data and integers; the server steps it, clients receive
+/// it.
+struct WorldState {
+  std::uint64_t tick = 0;  ///< sampling periods since the session began
+  Mode mode = Mode::Operator;
+  Vehicle master;
+  Vehicle robot;
+  std::uint8_t closed_hands = 0;  ///< bit 0 the operator's, bit 1 the robot's
+  boost::container::static_vector<Movable, kMaxMovables> movables;
+  boost::container::static_vector<std::int32_t, kMaxDoors> doors;  ///< 0 closed .. kDoorOpen
+  TaskClock task;
+  bool operator==(const WorldState&) const = default;
+
+  /// What the joystick drives.
+  Vehicle& driven() { return mode == Mode::Robot ? robot : master; }
+  const Vehicle& driven() const { return mode == Mode::Robot ? robot : master; }
+};
+
+/// Calls visit(name, field) for every field, and for the number of movables and doors as std::uint8_t, in the
+/// order in which hash and snapshot take them. The one list of what a state is.
+template <class State, class Visit>
+void forEachField(State& state, Visit&& visit);
+
+/// Whether a state can be at all: places within the world, attitudes that are rotations, doors between closed
+/// and open, modes and holders there are. What comes from wire or file is asked this.
+bool isValid(const WorldState& state);
+
+/// FNV-1a, 64 bit, over the little-endian bytes of all fields of both, in forEachField()'s order and then the
+/// sample's of declaration: what replicas prove their equality by.
 std::uint64_t stateHash(const WorldState& state, const MotionSample& sample);
 
-/// Part of the floor the base may be on, in world coordinates.
-struct DriveArea {
-  double min_x = -1e6, max_x = 1e6, min_z = -1e6, max_z = 1e6;  ///< m
-};
-
-/// Limits of driving by joystick (stick_y ahead, stick_x sideways, stick_twist turns; twist is positive to
-/// the left). Left pedal brakes, right pedal raises the speed up to `boost`.
-struct DriveLimits {
-  double speed = 0.8;              ///< m/s at full stick
-  double boost = 2.0;              ///< speed factor at full right pedal
-  double turn_rate = 0.8;          ///< rad/s at full twist
-  double acceleration = 1.5;       ///< m/s^2
-  double turn_acceleration = 3.0;  ///< rad/s^2
-  double brake = 6.0;              ///< m/s^2 at full left pedal
-};
-
-/// One period of `period_ns` of driving. DOFs that are not valid drive nothing: the stick reads zero and the
-/// base comes to rest within its acceleration. Speed across a border of `area` is lost, along it is kept (one
-/// slides).
-void step(WorldState& state, const MotionSample& sample, std::int64_t period_ns, const DriveLimits& limits,
-          const DriveArea& area);
+template <class State, class Visit>
+void forEachField(State& s, Visit&& visit) {
+  const auto vehicle = [&](auto& v) {
+    visit("base x", v.base.x_nm);
+    visit("base y", v.base.y_nm);
+    visit("base z", v.base.z_nm);
+    visit("heading", v.base.heading_units);
+    visit("velocity right", v.velocity_right_um);
+    visit("velocity ahead", v.velocity_ahead_um);
+    visit("turn rate", v.turn_rate_units);
+  };
+  const auto resized = [&](const char* name, auto& list) {
+    auto count = static_cast<std::uint8_t>(list.size());
+    visit(name, count);
+    if constexpr (!std::is_const_v<State>) list.resize(std::min<std::size_t>(count, list.capacity()));
+  };
+  visit("tick", s.tick);
+  visit("mode", s.mode);
+  vehicle(s.master);
+  vehicle(s.robot);
+  visit("closed hands", s.closed_hands);
+  resized("number of movables", s.movables);
+  for (auto& m : s.movables) {
+    visit("holder", m.holder);
+    visit("movable x", m.x_nm);
+    visit("movable y", m.y_nm);
+    visit("movable z", m.z_nm);
+    for (auto& component : m.attitude) visit("movable attitude", component);
+    visit("fall", m.fall_um);
+    visit("resting", m.resting);
+    visit("unrest", m.unrest_us);
+  }
+  resized("number of doors", s.doors);
+  for (auto& door : s.doors) visit("door", door);
+  visit("task started", s.task.started_tick);
+  visit("task done", s.task.done_tick);
+  visit("towers", s.task.towers);
+  visit("tower stands", s.task.standing);
+}
 
 }  // namespace coherency

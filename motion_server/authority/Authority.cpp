@@ -4,20 +4,29 @@
 
 namespace coherency {
 
-Authority::Authority(const AuthorityConfig& config, const Rig& rig, Master& master)
-    : config_(config), master_(master), gate_(neutralPosture(rig)) {
+Authority::Authority(const AuthorityConfig& config, const World& world, Master& master)
+    : config_(config),
+      world_(world),
+      master_(master),
+      gate_(neutralPosture(world.model().master.rig)),
+      state_(config.start) {
   assert(config.period_ns > 0);
-  world_.base = config.start;
 }
 
 std::optional<Authority::Result> Authority::sample(std::int64_t elapsed_ns, std::int64_t server_time_ns,
                                                    std::uint64_t ticks_elapsed) {
-  const std::optional<MasterReading> reading = master_.read(elapsed_ns, world_);
+  std::optional<MasterReading> reading = master_.read(elapsed_ns, state_);
   if (!reading) return std::nullopt;
+  reading->valid &= config_.dofs;
   const MotionSample taken = gate_.admit(*reading, ++sequence_, server_time_ns);
-  for (std::uint64_t i = 0; i < ticks_elapsed; ++i)
-    step(world_, taken, config_.period_ns, config_.limits, config_.area);
-  return Result{world_, taken};
+  for (std::uint64_t i = 0; i < ticks_elapsed; ++i) world_.step(state_, taken, config_.period_ns);
+  return Result{state_, taken};
+}
+
+bool Authority::switchTo(Mode mode) {
+  if (!world_.has(mode)) return false;
+  state_.mode = mode;
+  return true;
 }
 
 }  // namespace coherency

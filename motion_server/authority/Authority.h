@@ -4,18 +4,17 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/body/Rig.h"
 #include "common/motion/SampleGate.h"
-#include "common/world/WorldState.h"
+#include "common/world/World.h"
 #include "motion_server/device/Master.h"
 
 namespace coherency {
 
-/// What the authority rules over: a session's beginning and its rules.
+/// A session's beginning.
 struct AuthorityConfig {
-  BasePose start;
-  DriveLimits limits;
-  DriveArea area;
+  WorldState start;
+  DofMask dofs =
+      kAllDofs;  ///< that the scene needs; the others keep to the neutral posture and are never valid
   std::int64_t period_ns = 1'000'000;
 };
 
@@ -23,8 +22,8 @@ struct AuthorityConfig {
 /// reading through the gate, and steps the world.
 class Authority {
  public:
-  /// `master` outlives this.
-  Authority(const AuthorityConfig& config, const Rig& rig, Master& master);
+  /// `world` and `master` outlive this.
+  Authority(const AuthorityConfig& config, const World& world, Master& master);
 
   struct Result {
     WorldState world;
@@ -36,14 +35,18 @@ class Authority {
   std::optional<Result> sample(std::int64_t elapsed_ns, std::int64_t server_time_ns,
                                std::uint64_t ticks_elapsed);
 
-  const WorldState& world() const { return world_; }
+  /// From the next sample on. A mode the world does not have is passed over: false.
+  bool switchTo(Mode mode);
+
+  const WorldState& state() const { return state_; }
   const std::array<std::uint64_t, kDofCount>& refused() const { return gate_.refused(); }
 
  private:
   AuthorityConfig config_;
+  const World& world_;
   Master& master_;
   SampleGate gate_;
-  WorldState world_;
+  WorldState state_;
   std::uint64_t sequence_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "motion_server/broadcast/Broadcaster.h"
 
 #include <array>
+#include <atomic>
 #include <cstring>
 #include <map>
 #include <mutex>
@@ -154,6 +155,10 @@ class Broadcaster::Impl {
 
   void publish(const WorldState& world, const MotionSample& sample) { sender_->publish(world, sample); }
   std::uint16_t port() const { return port_; }
+  std::optional<Mode> takeModeRequest() {
+    const int mode = requested_mode_.exchange(kNoMode);
+    return mode == kNoMode ? std::nullopt : std::optional(static_cast<Mode>(mode));
+  }
 
   template <class Read>
   auto withHost(Read read) const {
@@ -210,6 +215,7 @@ class Broadcaster::Impl {
       reaction = host_->receive(connection->id, std::span(connection->incoming).first(size), now());
       refreshTargets();
     }
+    if (reaction.mode) requested_mode_.store(static_cast<int>(*reaction.mode));
     connection->ends = reaction.goodbye;
     connection->waiting.insert(connection->waiting.end(), reaction.send.begin(), reaction.send.end());
     if (connection->waiting.size() > kMaxOutgoing) return drop(connection->id);
@@ -301,7 +307,9 @@ class Broadcaster::Impl {
   DatagramCodec codec_;
   std::vector<std::byte> reply_bytes_;
   std::uint64_t targets_version_ = 0;
-  mutable std::mutex mutex_;  // guards host_; publish() does not need it
+  static constexpr int kNoMode = -1;
+  std::atomic<int> requested_mode_{kNoMode};  // a Mode, from the socket thread to the sampling thread
+  mutable std::mutex mutex_;                  // guards host_; publish() does not need it
   std::unique_ptr<SessionHost> host_;
   std::thread thread_;
 };
@@ -312,6 +320,9 @@ Broadcaster::~Broadcaster() = default;
 
 void Broadcaster::publish(const WorldState& world, const MotionSample& sample) {
   impl_->publish(world, sample);
+}
+std::optional<Mode> Broadcaster::takeModeRequest() {
+  return impl_->takeModeRequest();
 }
 std::uint16_t Broadcaster::port() const {
   return impl_->port();

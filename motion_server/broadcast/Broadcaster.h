@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,9 @@ class Broadcaster {
   /// Encodes once and sends to every client; never blocks. One thread at a time. Fills in session id, hash
   /// and the redundant samples.
   void publish(const WorldState& world, const MotionSample& sample);
+
+  /// The mode a client asked for since the last call, if one did.
+  std::optional<Mode> takeModeRequest();
 
   std::uint16_t port() const;
   std::vector<ClientStatus> clients() const;  ///< present and past

@@ -58,6 +58,7 @@ SessionHost::Reaction SessionHost::receive(std::uint32_t connection, std::span<c
     }
     all.send.insert(all.send.end(), reaction.send.begin(), reaction.send.end());
     all.goodbye = reaction.goodbye;
+    if (reaction.mode) all.mode = reaction.mode;
     if (all.goodbye) {
       client.heard = now;
       return all;
@@ -100,6 +101,12 @@ SessionHost::Reaction SessionHost::on(Client& client, const ClientReport& report
 SessionHost::Reaction SessionHost::on(Client& client, const Goodbye&) {
   sendAway(client, GoodbyeCause::Leaving, "");  // nobody is there to be told
   return {{}, true};
+}
+
+SessionHost::Reaction SessionHost::on(Client& client, const ModeRequest& request) {
+  if (client.stage != Stage::Welcomed)
+    return sendAway(client, GoodbyeCause::Protocol, "a request before hello");
+  return {{}, false, request.mode};
 }
 
 SessionHost::Reaction SessionHost::on(Client& client, const SessionConfig&) {

@@ -42,6 +42,7 @@ class SessionHost {
   struct Reaction {
     std::vector<std::byte> send;
     bool goodbye = false;
+    std::optional<Mode> mode = {};  ///< that the client asks for
   };
   /// A number for the connection, or nullopt where there are so many that it must be closed unheard.
   std::optional<std::uint32_t> open(const std::string& address, ServerTime now);
@@ -83,6 +84,7 @@ class SessionHost {
   Reaction on(Client& client, const Hello& hello);
   Reaction on(Client& client, const ClientReport& report);
   Reaction on(Client& client, const Goodbye& goodbye);
+  Reaction on(Client& client, const ModeRequest& request);
   Reaction on(Client& client, const SessionConfig& misplaced);
   Reaction on(Client& client, Reject reject);
   Reaction sendAway(Client& client, GoodbyeCause cause, const std::string& reason);

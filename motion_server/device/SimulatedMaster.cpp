@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/body/Posture.h"
+
 namespace coherency {
 
 namespace {
@@ -22,11 +24,13 @@ SimulatedMaster::Sway::Sway(std::uint64_t seed)
 }
 
 SimulatedMaster::SimulatedMaster(const Task& task, const Rig& rig, std::uint64_t seed)
-    : body_(rig), operator_(task, rig, seed), sway_(seed) {}
+    : body_(rig), kinematics_(rig), operator_(task, rig, seed), sway_(seed) {
+  feel({neutralPosture(rig), kAllDofs, 0});
+}
 
 std::optional<MasterReading> SimulatedMaster::read(std::int64_t elapsed_ns, const WorldState& world) {
   const double t = static_cast<double>(elapsed_ns) * 1e-9;
-  operator_.advance(t, world);
+  operator_.advance(t, world, felt_);
   const Driver& driver = operator_.driver();
   const ReachPose pose = operator_.arm().at(t);
   const Lean lean{pose.lean.forward + driver.leanForward() + kLeanSway * sway_.lean_forward.at(t),
@@ -57,7 +61,17 @@ std::optional<MasterReading> SimulatedMaster::read(std::int64_t elapsed_ns, cons
   set(Dof::StickTwist, driver.stickTwist());
   set(Dof::PedalLeft, driver.pedalLeft());
   set(Dof::PedalRight, driver.pedalRight());
+  feel(reading);
   return reading;
+}
+
+/// Where the hand of this reading is, as the operator's own joints tell it.
+void SimulatedMaster::feel(const MasterReading& reading) {
+  MotionSample sample;
+  for (std::size_t i = 0; i < kDofCount; ++i)
+    sample.units[i] = unitsFromSi(info(dofAt(i)).kind, reading.si[i]);
+  const Posture p = posture(body_.rig(), kinematics_, sample);
+  felt_ = p.t_body_shoulder * p.right_arm.t_shoulder_hand;
 }
 
 }  // namespace coherency

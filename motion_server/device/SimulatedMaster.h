@@ -9,11 +9,12 @@
 
 namespace coherency {
 
-/// An operator made of nothing but a seed, who works as people do: drives to the workplace, looks at a target
-/// before reaching for it, leans when it is far, grips, carries and releases, rests, looks about. Reaches and
-/// gaze shifts are minimum-jerk with durations by Fitts' law and the main sequence, and small sway is
-/// band-limited noise. Closed loop: it sees the base move. Position and velocity of every DOF are continuous;
-/// the same seed and the same world give the same motion.
+/// An operator made of nothing but a seed, who works as people do: drives to the workplace, looks at a block
+/// before reaching for it, leans when it is far, grips it, carries it onto another, builds a tower and takes
+/// it down again, rests, looks about. Reaches and gaze shifts are minimum-jerk with durations by Fitts' law
+/// and the main sequence, and small sway is band-limited noise. Closed loop: it sees where the base, the
+/// blocks and its hand are. Position and velocity of every DOF are continuous; the same seed and the same
+/// world give the same motion.
 class SimulatedMaster final : public Master {
  public:
   using Task = OperatorTask;
@@ -32,7 +33,11 @@ class SimulatedMaster final : public Master {
     std::vector<SmoothNoise> joints;
   };
 
+  void feel(const MasterReading& reading);
+
   SeatedBody body_;
+  ArmKinematics kinematics_;
+  TransformMatrix felt_;  ///< T_body_hand of the last reading
   Operator operator_;
   Sway sway_;
 };

@@ -1,25 +1,36 @@
 #include "render_client/compile/CompiledScene.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
 
 #include <glm/common.hpp>
-#include <glm/vec3.hpp>
 
+#include "common/scene/Light.h"
 #include "render_client/compile/Refine.h"
 
 namespace coherency {
 namespace {
 
-Coord3 halfExtent(const Mesh& mesh) {
+constexpr std::uint32_t kWorld = 0;  ///< the node of what never moves
+constexpr float kWorthShading = 0.02F;
+
+std::uint32_t count(const auto& list) {
+  return static_cast<std::uint32_t>(list.size());
+}
+
+/// Of the vertices from `first` on, about their origin.
+template <class Vertex>
+Coord3 halfExtent(const std::vector<Vertex>& vertices, std::size_t first, std::size_t last) {
   glm::dvec3 extent(0.0);
-  for (const MeshVertex& v : mesh.vertices)
-    extent = glm::max(extent, glm::abs(glm::dvec3(v.position[0], v.position[1], v.position[2])));
+  for (std::size_t v = first; v < last; ++v) {
+    const float(&p)[3] = vertices[v].position;
+    extent = glm::max(extent, glm::abs(glm::dvec3(p[0], p[1], p[2])));
+  }
   return Coord3(extent);
 }
 
-/// Lamps light a room, and their light varies over half a metre there; what is larger than a room is scenery,
-/// which they do not reach.
+/// Lamps' light varies over half a metre near them; what is larger than a room is scenery, which they do not
+/// reach.
 double lightingEdge(const VRObject& object, const Coord3& half_extent) {
   constexpr double kEdge = 0.4;
   constexpr double kRoom = 12.0;
@@ -29,47 +40,106 @@ double lightingEdge(const VRObject& object, const Coord3& half_extent) {
   return lit ? std::max(kEdge / scale, size / 32.0) : 4.0 * size;
 }
 
+std::uint16_t share(float of_one) {
+  return static_cast<std::uint16_t>(std::lround(std::clamp(of_one, 0.0F, 1.0F) * 65535.0F));
+}
+
+LitVertex litVertex(const glm::vec3& position, const SurfaceLight& surface) {
+  const glm::vec3 light = surface.light / LitVertex::kBrightest;
+  return {{position.x, position.y, position.z},
+          {share(light.r), share(light.g), share(light.b), share(surface.shade)}};
+}
+
 }  // namespace
 
-CompiledScene::CompiledScene(const VRObject& root) {
+CompiledScene::CompiledScene(const VRObject& root, const Illumination& illumination,
+                             const BakeSettings& settings) {
+  nodes_.push_back({nullptr, kWorld});
+  t_world_.emplace_back();
+  FixedMesh mesh;
+  addTree(root, mesh);
+  update();
+  bake_ = bake(mesh, illumination, settings);
+  addFixed(mesh);
+}
+
+void CompiledScene::addTree(const VRObject& root, FixedMesh& mesh) {
+  struct Pending {
+    const VRObject* object;
+    TransformMatrix t_world_parent;
+  };
+  std::vector<Pending> pending{{&root, {}}};
+  while (!pending.empty()) {
+    const auto [object, t_world_parent] = pending.back();
+    pending.pop_back();
+    if (object->attribute<Moving>() != nullptr) {
+      addMovingTree(*object, t_world_parent);
+      continue;
+    }
+    const TransformMatrix t_world_object = t_world_parent * object->transform();
+    mesh.add(*object, t_world_object);
+    for (const VRObject* member : object->members()) pending.push_back({member, t_world_object});
+  }
+}
+
+void CompiledScene::addMovingTree(const VRObject& root, const TransformMatrix& t_world_parent) {
+  const auto above = count(nodes_);
+  nodes_.push_back({nullptr, kWorld});
+  t_world_.push_back(t_world_parent);
+  nodes_.push_back({&root, above});
   // Nodes are appended while the list is walked: breadth first, parents before their members.
-  nodes_.push_back({&root, kNoParent});
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+  for (std::uint32_t n = above + 1; n < nodes_.size(); ++n) {
     const VRObject& object = *nodes_[n].object;
-    addDrawable(object, n);
+    addMoving(object, n);
     for (const VRObject* member : object.members()) nodes_.push_back({member, n});
   }
   t_world_.resize(nodes_.size());
-  update();
 }
 
-void CompiledScene::addDrawable(const VRObject& object, std::uint32_t node) {
+void CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
   if (object.faces() == nullptr) return;
-  Mesh mesh;
-  try {
-    mesh = buildMesh(*object.faces());
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(object.path() + ": " + error.what());
-  }
+  Mesh mesh = meshOf(object);
   if (mesh.indices.empty()) return;
-  const Coord3 half_extent = halfExtent(mesh);
-  const std::vector<std::uint32_t> plain = mesh.indices;
+  const Coord3 half_extent = halfExtent(mesh.vertices, 0, mesh.vertices.size());
   refine(mesh, lightingEdge(object, half_extent));
-  const auto size = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
-  const std::uint32_t first_plain = size(indices_);
-  if (mesh.indices.size() != plain.size()) indices_.insert(indices_.end(), plain.begin(), plain.end());
-  drawables_.push_back({object.faces(), node, mesh.origin, half_extent, size(indices_), size(mesh.indices),
-                        first_plain, size(plain), size(vertices_)});
-  vertices_.insert(vertices_.end(), mesh.vertices.begin(), mesh.vertices.end());
-  indices_.insert(indices_.end(), mesh.indices.begin(), mesh.indices.end());
+  moving_.drawables.push_back({object.faces(), node, mesh.origin, half_extent, count(moving_.indices),
+                               count(mesh.indices), count(moving_.vertices)});
+  moving_.vertices.insert(moving_.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+  moving_.indices.insert(moving_.indices.end(), mesh.indices.begin(), mesh.indices.end());
+}
+
+void CompiledScene::addFixed(const FixedMesh& mesh) {
+  // Cutting has left the objects' triangles together, but not their vertices.
+  constexpr std::uint32_t kNowhere = UINT32_MAX;
+  std::vector<std::uint32_t> place(mesh.vertices.size(), kNowhere);
+  for (std::size_t i = 0; i < mesh.indices.size();) {
+    const std::uint32_t number = mesh.vertices[mesh.indices[i]].object;
+    const FixedObject& object = mesh.objects[number];
+    Drawable drawable{object.faces,          kWorld, object.origin,         {},
+                      count(fixed_.indices), 0,      count(fixed_.vertices)};
+    for (; i < mesh.indices.size() && mesh.vertices[mesh.indices[i]].object == number; ++i) {
+      const std::uint32_t v = mesh.indices[i];
+      if (place[v] == kNowhere) {
+        place[v] = count(fixed_.vertices) - drawable.first_vertex;
+        fixed_.vertices.push_back(litVertex(mesh.vertices[v].position, bake_.light[v]));
+        drawable.shaded = drawable.shaded || bake_.light[v].shade > kWorthShading;
+      }
+      fixed_.indices.push_back(place[v]);
+    }
+    drawable.index_count = count(fixed_.indices) - drawable.first_index;
+    drawable.half_extent = halfExtent(fixed_.vertices, drawable.first_vertex, fixed_.vertices.size());
+    fixed_.drawables.push_back(drawable);
+  }
+  bake_.light = {};
 }
 
 void CompiledScene::update() {
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const TransformMatrix& t_parent_object = nodes_[n].object->transform();
-    t_world_[n] =
-        nodes_[n].parent == kNoParent ? t_parent_object : t_world_[nodes_[n].parent] * t_parent_object;
-  }
+  for (std::size_t n = 0; n < nodes_.size(); ++n)
+    if (nodes_[n].object != nullptr) t_world_[n] = t_world_[nodes_[n].parent] * nodes_[n].object->transform();
+}
+
+float CompiledScene::inSight(std::size_t lamp, const Coord3& place) const {
+  return bake_.baker->inSight(lamp, glm::vec3((place - bake_.origin).glm()));
 }
 
 }  // namespace coherency

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/scene/VRObject.h"
+#include "render_client/compile/Bake.h"
 #include "render_client/compile/MeshBuilder.h"
 
 namespace coherency {
@@ -11,47 +12,67 @@ namespace coherency {
 /// One object that shows faces: where its triangles are, and whose they are.
 struct Drawable {
   const FaceSet* faces;  ///< its material may change at any time, its shape may not
-  std::uint32_t node;    ///< for CompiledScene::worldTransform()
-  Coord3 origin;         ///< of its vertices, in the object's frame (Mesh::origin): the middle of its box
-  Coord3 half_extent;    ///< of the box about them, in the object's axes
-  std::uint32_t first_index;  ///< triangles dense enough to be lit at their vertices
-  std::uint32_t index_count;
-  std::uint32_t first_plain;  ///< the same surface in no more triangles than its shape needs: for shadows
-  std::uint32_t plain_count;
-  std::uint32_t first_vertex;
+  std::uint32_t node;    ///< for CompiledScene::worldTransform(); what never moves stands in the world itself
+  Coord3 origin;         ///< of its vertices, in the node's frame: about the middle of its box
+  Coord3 half_extent;    ///< of a box about them, in the node's axes
+  std::uint32_t first_index = 0;
+  std::uint32_t index_count = 0;
+  std::uint32_t first_vertex = 0;
+  bool shaded = false;  ///< never moves, and could be darkened by what does
 };
 
-/// A tree of objects made ready for drawing: all shapes as triangles in one buffer, and the tree as a list
-/// with parents first, so that a frame neither walks pointers recursively nor allocates. The tree must
-/// outlive this and keep its structure; its transforms may change.
+/// A vertex of what never moves, as it lies in the vertex buffer.
+struct LitVertex {
+  float position[3];       ///< m, world's axes, relative to Drawable::origin
+  std::uint16_t light[4];  ///< irradiance as shares of kBrightest, and SurfaceLight::shade; 65535 is 1
+  static constexpr float kBrightest = 16.0F;
+};
+
+/// All triangles of one kind in one buffer.
+template <class Vertex>
+struct Surfaces {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< from a drawable's first vertex
+  std::vector<Drawable> drawables;
+};
+
+/// A tree of objects made ready for drawing (geometry compilation, paper, section III.C.1). What never moves,
+/// no object from the root down to it having the attribute Moving, stands in the world once and for all, with
+/// its light at its vertices. What moves is a list with parents first, so that a frame neither walks pointers
+/// recursively nor allocates. The tree must outlive this and keep its structure; transforms may change where
+/// it is marked so, materials everywhere, although light keeps the colours it had.
 class CompiledScene {
  public:
   /// Throws what buildMesh() throws, with the object's path.
-  explicit CompiledScene(const VRObject& root);
+  CompiledScene(const VRObject& root, const Illumination& illumination, const BakeSettings& settings = {});
 
-  const std::vector<MeshVertex>& vertices() const { return vertices_; }
-  const std::vector<std::uint32_t>& indices() const { return indices_; }
-  const std::vector<Drawable>& drawables() const { return drawables_; }
+  const Surfaces<LitVertex>& fixed() const { return fixed_; }
+  const Surfaces<MeshVertex>& moving() const { return moving_; }
 
-  /// Reads all transforms anew.
+  /// Reads the transforms of all that moves anew.
   void update();
-  /// T_world_object as of the last update().
+  /// T_world_node as of the last update().
   const TransformMatrix& worldTransform(const Drawable& drawable) const { return t_world_[drawable.node]; }
 
+  /// How much of a lamp is in sight from about a place in the world (LightBaker::inSight()).
+  float inSight(std::size_t lamp, const Coord3& place) const;
+
  private:
-  static constexpr std::uint32_t kNoParent = UINT32_MAX;
   struct Node {
     const VRObject* object;
     std::uint32_t parent;
   };
 
-  void addDrawable(const VRObject& object, std::uint32_t node);
+  void addTree(const VRObject& root, FixedMesh& mesh);
+  void addMovingTree(const VRObject& root, const TransformMatrix& t_world_parent);
+  void addMoving(const VRObject& object, std::uint32_t node);
+  void addFixed(const FixedMesh& mesh);
 
-  std::vector<Node> nodes_;
+  std::vector<Node> nodes_;  ///< of one without an object the transform stays
   std::vector<TransformMatrix> t_world_;
-  std::vector<Drawable> drawables_;
-  std::vector<MeshVertex> vertices_;
-  std::vector<std::uint32_t> indices_;
+  Surfaces<LitVertex> fixed_;
+  Surfaces<MeshVertex> moving_;
+  Bake bake_;
 };
 
 }  // namespace coherency

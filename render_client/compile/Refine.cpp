@@ -1,84 +1,61 @@
 #include "render_client/compile/Refine.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "render_client/compile/Subdivision.h"
 
 namespace coherency {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
-class Refiner {
- public:
-  Refiner(Mesh& mesh, double longest_edge) : mesh_(mesh), longest_square_(longest_edge * longest_edge) {}
-
-  void run() {
-    std::vector<Triangle> waiting;
-    for (std::size_t i = 0; i + 2 < mesh_.indices.size(); i += 3)
-      waiting.push_back({mesh_.indices[i], mesh_.indices[i + 1], mesh_.indices[i + 2]});
-    mesh_.indices.clear();
-    while (!waiting.empty()) {
-      Triangle t = waiting.back();
-      waiting.pop_back();
-      if (!turnLongestFirst(t)) {
-        mesh_.indices.insert(mesh_.indices.end(), t.begin(), t.end());
-        continue;
-      }
-      const std::uint32_t middle = middleOf(t[0], t[1]);
-      waiting.push_back({t[0], middle, t[2]});
-      waiting.push_back({middle, t[1], t[2]});
-    }
-  }
-
- private:
-  double square(std::uint32_t a, std::uint32_t b) const {
-    double sum = 0.0;
-    for (int i = 0; i < 3; ++i) {
-      const double d = static_cast<double>(mesh_.vertices[a].position[i]) -
-                       static_cast<double>(mesh_.vertices[b].position[i]);
-      sum += d * d;
-    }
-    return sum;
-  }
-
-  /// Brings the longest edge between the first two corners; false if it is short enough.
-  bool turnLongestFirst(Triangle& t) const {
-    const std::array<double, 3> edges{square(t[0], t[1]), square(t[1], t[2]), square(t[2], t[0])};
-    const auto longest = std::max_element(edges.begin(), edges.end());
-    std::rotate(t.begin(), t.begin() + (longest - edges.begin()), t.end());
-    return *longest > longest_square_;
-  }
-
-  std::uint32_t middleOf(std::uint32_t a, std::uint32_t b) {
-    const auto [found, fresh] =
-        middles_.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh_.vertices.size()));
-    if (!fresh) return found->second;
-    MeshVertex v = mesh_.vertices[a];
-    float length = 0.0F;
-    for (int i = 0; i < 3; ++i) {
-      v.position[i] = 0.5F * (v.position[i] + mesh_.vertices[b].position[i]);
-      v.normal[i] += mesh_.vertices[b].normal[i];
-      length += v.normal[i] * v.normal[i];
-    }
-    for (float& component : v.normal) component /= std::max(std::sqrt(length), 1e-20F);
-    mesh_.vertices.push_back(v);
-    return found->second;
-  }
-
-  Mesh& mesh_;
-  double longest_square_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
-};
+glm::dvec3 vec3(const float (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
 
 }  // namespace
 
+MeshVertex middleOf(const MeshVertex& a, const MeshVertex& b) {
+  MeshVertex middle = a;
+  float length = 0.0F;
+  for (int i = 0; i < 3; ++i) {
+    middle.position[i] = 0.5F * (a.position[i] + b.position[i]);
+    middle.normal[i] = a.normal[i] + b.normal[i];
+    length += middle.normal[i] * middle.normal[i];
+  }
+  for (float& component : middle.normal) component /= std::max(std::sqrt(length), 1e-20F);
+  return middle;
+}
+
 void refine(Mesh& mesh, double longest_edge) {
   assert(longest_edge > 0.0);
-  Refiner(mesh, longest_edge).run();
+  std::vector<glm::dvec3> positions;
+  double extent = 0.0;
+  for (const MeshVertex& v : mesh.vertices) {
+    positions.push_back(vec3(v.position));
+    extent = std::max(extent, glm::length(positions.back()));
+  }
+  if (positions.empty()) return;
+  Subdivision subdivision(positions, mesh.indices, std::max(1e-6 * extent, 1e-300));
+  const auto middle = [&](std::uint32_t side) {
+    const auto [a, b] = std::pair(subdivision.sides()[side].a, subdivision.sides()[side].b);
+    mesh.vertices.push_back(middleOf(mesh.vertices[a], mesh.vertices[b]));
+    return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+  };
+  bool any = true;
+  for (std::size_t e = 0; any;) {
+    any = false;
+    for (; e < subdivision.edges().size(); ++e)
+      if (subdivision.edges()[e].square > longest_edge * longest_edge) {
+        subdivision.mark(e);
+        any = true;
+      }
+    if (any) subdivision.cut(middle);
+  }
+  mesh.indices = subdivision.indices();
 }
 
 }  // namespace coherency

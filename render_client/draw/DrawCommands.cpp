@@ -14,13 +14,11 @@ void DrawCommands::clear() {
   upright_ = mirrored_ = 0;
 }
 
-void DrawCommands::add(const Drawable& drawable, Triangles which, std::size_t number, bool mirrored) {
+void DrawCommands::add(const Drawable& drawable, std::size_t number, bool mirrored) {
   assert(upright_ + mirrored_ < commands_.size());
   const std::size_t at = mirrored ? commands_.size() - ++mirrored_ : upright_++;
-  const bool lit = which == Triangles::Lit;
-  commands_[at] = {lit ? drawable.index_count : drawable.plain_count, 1,
-                   lit ? drawable.first_index : drawable.first_plain,
-                   static_cast<GLint>(drawable.first_vertex), static_cast<GLuint>(number)};
+  commands_[at] = {drawable.index_count, 1, drawable.first_index, static_cast<GLint>(drawable.first_vertex),
+                   static_cast<GLuint>(number)};
 }
 
 void DrawCommands::upload() {

@@ -7,16 +7,16 @@
 
 namespace coherency {
 
-/// What one frame draws, as the GPU reads it: one call a view, and one more where mirrored objects, whose
-/// triangles turn the other way round, are among them.
+/// What one shader draws in a frame, as the GPU reads it: one call a view, and one more where mirrored
+/// objects, whose triangles turn the other way round, are among them.
 class DrawCommands {
  public:
   explicit DrawCommands(std::size_t capacity);
 
   void clear();
-  enum class Triangles { Lit, Plain };
-  /// `number` is the drawable's place in CompiledScene::drawables(). No more than `capacity`.
-  void add(const Drawable& drawable, Triangles which, std::size_t number, bool mirrored);
+  /// `number` is the drawable's place in its Surfaces. No more than `capacity`.
+  void add(const Drawable& drawable, std::size_t number, bool mirrored);
+  std::size_t size() const { return upright_ + mirrored_; }
   void upload();
   /// With the scene's buffers bound; culling as the caller has set it. Leaves GL_CCW as the front face.
   void draw() const;

@@ -6,7 +6,9 @@
 namespace coherency {
 
 /// One eye's picture: where the eye is, what it takes in, and where on the target it goes (pixels, from the
-/// bottom left corner as OpenGL has it).
+/// bottom left corner as OpenGL has it); and where the vehicle stands that the eye goes with, the same for
+/// both eyes: it is about there that things move, and what moves is lit and casts shadows (LampChoice,
+/// OverheadShadow).
 struct EyeView {
   TransformMatrix t_world_eye;  ///< rigid; -z ahead
   FieldOfView view;
@@ -15,6 +17,7 @@ struct EyeView {
   int y = 0;
   int width = 0;
   int height = 0;
+  TransformMatrix t_world_vehicle;  ///< rigid, on the floor; -z ahead
 };
 
 }  // namespace coherency

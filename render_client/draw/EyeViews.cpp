@@ -5,14 +5,15 @@
 namespace coherency {
 namespace {
 
-EyeView eyeView(const Scene& scene, const HmdProfile& hmd, Eye eye, int width, int height) {
+EyeView eyeView(const Scene& scene, Mode mode, const HmdProfile& hmd, Eye eye, int width, int height) {
   const FieldOfView view = eye == Eye::Left ? hmd.left : eye == Eye::Right ? hmd.right : monoView(hmd);
   EyeView result;
-  result.t_world_eye = scene.human().eye(eye).globalTransform();
+  result.t_world_eye = scene.eye(eye, mode).globalTransform();
   result.view = fitToPicture(view, width, height);
   result.near_m = hmd.near_m;
   result.width = width;
   result.height = height;
+  result.t_world_vehicle = vehicle(scene, mode);
   return result;
 }
 
@@ -26,16 +27,21 @@ EyeChoice eyeChoice(std::string_view name) {
   return EyeChoice::Mono;
 }
 
-void eyeViews(const Scene& scene, const HmdProfile& hmd, EyeChoice choice, int width, int height,
+TransformMatrix vehicle(const Scene& scene, Mode mode) {
+  if (mode == Mode::Robot && scene.robot() != nullptr) return scene.robot()->globalTransform();
+  return scene.human().globalTransform();
+}
+
+void eyeViews(const Scene& scene, Mode mode, const HmdProfile& hmd, EyeChoice choice, int width, int height,
               std::vector<EyeView>& views) {
   views.clear();
   if (choice == EyeChoice::Mono) {
-    views.push_back(eyeView(scene, hmd, Eye::Mono, width, height));
+    views.push_back(eyeView(scene, mode, hmd, Eye::Mono, width, height));
     return;
   }
-  if (choice != EyeChoice::Right) views.push_back(eyeView(scene, hmd, Eye::Left, width, height));
+  if (choice != EyeChoice::Right) views.push_back(eyeView(scene, mode, hmd, Eye::Left, width, height));
   if (choice != EyeChoice::Left) {
-    views.push_back(eyeView(scene, hmd, Eye::Right, width, height));
+    views.push_back(eyeView(scene, mode, hmd, Eye::Right, width, height));
     if (choice == EyeChoice::Both) views.back().x = width;
   }
 }

@@ -17,9 +17,12 @@ constexpr int eyeCount(EyeChoice choice) {
   return choice == EyeChoice::Both ? 2 : 1;
 }
 
-/// The views of the virtual human's eyes as the scene now stands (eq. 5), each `width` x `height` pixels;
-/// both eyes stand side by side, the left one on the left. `views` is refilled, not reallocated.
-void eyeViews(const Scene& scene, const HmdProfile& hmd, EyeChoice choice, int width, int height,
+/// T_world_vehicle of what one drives in that mode.
+TransformMatrix vehicle(const Scene& scene, Mode mode);
+
+/// The views of the eyes of whom the operator is as the scene now stands (eq. 5), each `width` x `height`
+/// pixels; both eyes stand side by side, the left one on the left. `views` is refilled, not reallocated.
+void eyeViews(const Scene& scene, Mode mode, const HmdProfile& hmd, EyeChoice choice, int width, int height,
               std::vector<EyeView>& views);
 
 }  // namespace coherency

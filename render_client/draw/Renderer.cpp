@@ -1,5 +1,6 @@
 #include "render_client/draw/Renderer.h"
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 #include <stdexcept>
@@ -7,11 +8,15 @@
 #include <epoxy/gl.h>
 
 #include "render_client/compile/CompiledScene.h"
+#include "render_client/compile/ToneCurve.h"
+#include "render_client/draw/FixedPass.h"
+#include "render_client/draw/LampChoice.h"
+#include "render_client/draw/MovingPass.h"
+#include "render_client/draw/OverheadShadow.h"
 #include "render_client/draw/RenderTarget.h"
 #include "render_client/draw/SceneBuffers.h"
-#include "render_client/draw/ShadowMap.h"
 #include "render_client/draw/TextOverlay.h"
-#include "render_client/draw/ViewPass.h"
+#include "render_client/draw/ViewUniforms.h"
 
 namespace coherency {
 namespace {
@@ -31,12 +36,6 @@ struct VersionCheck {
   }
 };
 
-/// As the far end of the shader's tone curve sees it.
-float tone(double c) {
-  const double over = std::max(c - 0.6, 0.0) / 0.4;
-  return static_cast<float>(std::min(c, 0.6) + 0.4 * over / (1.0 + over));
-}
-
 void setDrawingState() {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_DEPTH_TEST);
@@ -49,22 +48,45 @@ void setDrawingState() {
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
   glEnable(GL_MULTISAMPLE);
-  glEnable(GL_FRAMEBUFFER_SRGB);
+  glDisable(GL_FRAMEBUFFER_SRGB);  // the shaders encode
 }
 
 }  // namespace
 
 struct Renderer::Gl {
-  Gl(const Scene& scene_, int width, int height, const RendererSettings& settings_)
-      : scene(scene_),
-        settings(settings_),
-        compiled(scene_),
+  Gl(const VRObject& root, const Illumination& illumination, int width, int height,
+     const RendererSettings& settings_)
+      : settings(settings_),
+        ambient(illumination.ambient),
+        compiled(root, illumination, settings_.bake),
         buffers(compiled),
-        pass(compiled.drawables().size(), scene_.lights().size(),
-             settings_.shadows && !scene_.lights().empty()),
+        lamps(illumination, compiled),
+        moving(compiled, std::min(illumination.lamps.size(), kChosenLamps), shadowResolution()),
+        fixed(compiled, shadowResolution()),
         target(width, height, settings_.samples) {
-    if (settings.shadows && !scene.lights().empty())
-      shadow.emplace(settings.shadow_resolution, compiled.drawables().size());
+    if (settings.shadows) shadow.emplace(settings.shadow_resolution, compiled.moving().drawables.size());
+  }
+
+  int shadowResolution() const { return settings.shadows ? settings.shadow_resolution : 0; }
+
+  void draw(std::span<const EyeView> views) {
+    const TransformMatrix& t_world_vehicle = views.front().t_world_vehicle;
+    const Coord3 eye = views.front().t_world_eye.origin();
+    const OverheadShadow* const map = shadow ? &*shadow : nullptr;
+    // About the hands of whoever sits on it.
+    const ChosenLamps chosen = lamps.at(t_world_vehicle.point({0.0, 1.1, -0.4}));
+    uniforms.reserve(views.size());
+    moving.begin(compiled, eye, views.size());
+    fixed.begin(compiled, eye, views.size(), map);
+    if (map != nullptr) map->bindTexture();
+    for (std::size_t slot = 0; slot < views.size(); ++slot) {
+      const EyeView& view = views[slot];
+      uniforms.write(slot, view, ambient, chosen, map);
+      uniforms.bind(slot);
+      glViewport(view.x, view.y, view.width, view.height);
+      moving.draw(slot, view.t_world_eye.origin(), compiled, buffers);
+      fixed.draw(slot, view.t_world_eye.origin(), compiled, buffers);
+    }
   }
 
   void resolve() {
@@ -74,38 +96,36 @@ struct Renderer::Gl {
   }
 
   VersionCheck version;
-  const Scene& scene;
   RendererSettings settings;
+  Ambient ambient;
   CompiledScene compiled;
   SceneBuffers buffers;
-  ViewPass pass;
+  LampChoice lamps;
+  MovingPass moving;
+  FixedPass fixed;
+  ViewUniforms uniforms;
   TextOverlay text;
   RenderTarget target;
-  std::optional<ShadowMap> shadow;
+  std::optional<OverheadShadow> shadow;
   bool resolved = false;
 };
 
-Renderer::Renderer(const Scene& scene, int width, int height, const RendererSettings& settings)
-    : gl_(std::make_unique<Gl>(scene, width, height, settings)) {}
+Renderer::Renderer(const VRObject& root, const Illumination& illumination, int width, int height,
+                   const RendererSettings& settings)
+    : gl_(std::make_unique<Gl>(root, illumination, width, height, settings)) {}
 
 Renderer::~Renderer() = default;
 
 void Renderer::draw(std::span<const EyeView> views) {
   setDrawingState();
   gl_->compiled.update();
-  const ShadowMap* shadow = nullptr;
-  if (gl_->shadow) {
-    gl_->shadow->render(gl_->compiled, gl_->buffers, gl_->scene.lights().front());
-    shadow = &*gl_->shadow;
-  }
+  if (gl_->shadow && !views.empty())
+    gl_->shadow->render(gl_->compiled, gl_->buffers, views.front().t_world_vehicle);
   gl_->target.bind();
-  const Coord3 sky = gl_->scene.skyLight();
-  glClearColor(tone(sky.x), tone(sky.y), tone(sky.z), 1.0F);
+  const glm::vec3 sky(gl_->ambient.sky.glm());
+  glClearColor(encoded(tone(sky.r)), encoded(tone(sky.g)), encoded(tone(sky.b)), 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if (views.empty()) return;
-  gl_->pass.begin(gl_->compiled, views.front().t_world_eye.origin(), views.size());
-  for (std::size_t i = 0; i < views.size(); ++i)
-    gl_->pass.draw(i, views[i], gl_->scene, gl_->compiled, gl_->buffers, shadow);
+  if (!views.empty()) gl_->draw(views);
   gl_->resolved = false;
   assert(glGetError() == GL_NO_ERROR);
 }
@@ -140,12 +160,21 @@ std::string Renderer::rendererName() const {
   return glText(GL_RENDERER);
 }
 std::size_t Renderer::triangleCount() const {
-  std::size_t triangles = 0;
-  for (const Drawable& drawable : gl_->compiled.drawables()) triangles += drawable.index_count / 3;
-  return triangles;
+  return (gl_->compiled.fixed().indices.size() + gl_->compiled.moving().indices.size()) / 3;
+}
+std::size_t Renderer::vertexCount() const {
+  return gl_->compiled.fixed().vertices.size() + gl_->compiled.moving().vertices.size();
+}
+std::size_t Renderer::vertexBytes() const {
+  return gl_->compiled.fixed().vertices.size() * sizeof(LitVertex) +
+         gl_->compiled.moving().vertices.size() * sizeof(MeshVertex) +
+         3 * triangleCount() * sizeof(std::uint32_t);
 }
 std::size_t Renderer::objectCount() const {
-  return gl_->compiled.drawables().size();
+  return gl_->compiled.fixed().drawables.size() + gl_->compiled.moving().drawables.size();
+}
+FrameCounts Renderer::counts() const {
+  return {gl_->moving.count(), gl_->fixed.shadedCount(), gl_->fixed.plainCount()};
 }
 
 }  // namespace coherency

@@ -5,27 +5,42 @@
 #include <string>
 
 #include "common/world/Scene.h"
+#include "render_client/compile/Illumination.h"
 #include "render_client/draw/EyeView.h"
 #include "render_client/draw/Image.h"
 #include "render_client/draw/RendererSettings.h"
 
 namespace coherency {
 
-/// Draws a scene with OpenGL 4.5 core. Poses are composed in double relative to the eye and cast to float
-/// last, depth is reversed with the far plane at infinity (design, "Numerics" 1 and 5). A context must be
-/// current, and stay the same, at every call. The scene's shapes are uploaded once at construction;
-/// afterwards the tree keeps its structure, and only transforms, materials and the lights' places and colours
-/// may change. Where nothing is drawn one sees the sky light.
+/// What a frame had in it.
+struct FrameCounts {
+  std::size_t moving = 0;        ///< drawables that move
+  std::size_t fixed_shaded = 0;  ///< that do not, near enough to what does for its shadows
+  std::size_t fixed_plain = 0;   ///< the others: a pixel of theirs costs next to nothing
+};
+
+/// Draws a tree of objects with OpenGL 4.5 core. Poses are composed in double relative to the eye and cast to
+/// float last, depth is reversed with the far plane at infinity (design, "Numerics" 1 and 5). A context must
+/// be current, and stay the same, at every call. Shapes, and the light of what never moves (CompiledScene),
+/// are computed and uploaded once at construction; afterwards the tree keeps its structure, and only
+/// materials, and the transforms of what has the attribute Moving, may change. Where nothing is drawn one
+/// sees the sky light.
 class Renderer {
  public:
   /// Throws std::runtime_error when the context is older than 4.5 (naming what it is), a shader does not
-  /// compile, or the target cannot be made. `scene` must outlive this.
-  Renderer(const Scene& scene, int width, int height, const RendererSettings& settings = {});
+  /// compile, or the target cannot be made, and what buildMesh() throws. `root` must outlive this. Lamps are
+  /// those of the illumination, wherever the tree has some.
+  Renderer(const VRObject& root, const Illumination& illumination, int width, int height,
+           const RendererSettings& settings = {});
+  /// A scene with its own lamps.
+  Renderer(const Scene& scene, int width, int height, const RendererSettings& settings = {})
+      : Renderer(scene, {scene.lights(), scene.ambient()}, width, height, settings) {}
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Draws the scene as it now stands into the off-screen target, one view after another.
+  /// Draws the scene as it now stands into the off-screen target, one view after another. All of them are of
+  /// one vehicle.
   void draw(std::span<const EyeView> views);
   /// Draws lines of text over the picture, from the top left corner of each view.
   void drawText(std::span<const EyeView> views, const std::string& text);
@@ -38,7 +53,10 @@ class Renderer {
   int samples() const;                ///< a pixel, as the driver has them
   std::string rendererName() const;   ///< as GL_RENDERER has it
   std::size_t triangleCount() const;  ///< in a view, large faces cut for lighting
+  std::size_t vertexCount() const;    ///< of those triangles
+  std::size_t vertexBytes() const;    ///< of them and the triangles, on the GPU
   std::size_t objectCount() const;    ///< that show faces
+  FrameCounts counts() const;         ///< of the last frame
 
  private:
   struct Gl;

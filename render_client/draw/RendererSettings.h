@@ -1,12 +1,15 @@
 #pragma once
 
+#include "render_client/compile/BakeSettings.h"
+
 namespace coherency {
 
 /// Where the renderer trades speed for accuracy.
 struct RendererSettings {
-  int samples = 4;               ///< antialiasing samples a pixel, the nearest the driver has; 1: none
-  bool shadows = true;           ///< of the scene's first light
-  int shadow_resolution = 1024;  ///< texels a side
+  int samples = 4;              ///< antialiasing samples a pixel, the nearest the driver has; 1: none
+  bool shadows = true;          ///< of what moves
+  int shadow_resolution = 384;  ///< texels a side, for 4 m
+  BakeSettings bake = {};       ///< light of what never moves
 };
 
 }  // namespace coherency

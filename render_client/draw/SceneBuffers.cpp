@@ -1,5 +1,6 @@
 #include "render_client/draw/SceneBuffers.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 
@@ -15,25 +16,33 @@ void store(const Buffer& buffer, const std::vector<T>& data) {
 
 }  // namespace
 
-SceneBuffers::SceneBuffers(const CompiledScene& scene) {
-  store(vertices_, scene.vertices());
-  store(indices_, scene.indices());
-  std::vector<std::uint32_t> numbers(scene.drawables().size());
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  store(numbers_, numbers);
-
-  const GLuint array = vertex_array_.name();
-  glVertexArrayElementBuffer(array, indices_.name());
-  glVertexArrayVertexBuffer(array, 0, vertices_.name(), 0, sizeof(MeshVertex));
+template <class Vertex>
+void SceneBuffers::upload(Surfaces& to, const coherency::Surfaces<Vertex>& from) {
+  store(to.vertices, from.vertices);
+  store(to.indices, from.indices);
+  const GLuint array = to.array.name();
+  glVertexArrayElementBuffer(array, to.indices.name());
+  glVertexArrayVertexBuffer(array, 0, to.vertices.name(), 0, sizeof(Vertex));
   glVertexArrayVertexBuffer(array, 1, numbers_.name(), 0, sizeof(std::uint32_t));
   glVertexArrayBindingDivisor(array, 1, 1);
-  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(MeshVertex, position));
-  glVertexArrayAttribFormat(array, 1, 3, GL_FLOAT, GL_FALSE, offsetof(MeshVertex, normal));
+  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
   glVertexArrayAttribIFormat(array, 2, 1, GL_UNSIGNED_INT, 0);
   for (const GLuint attribute : {0U, 1U, 2U}) {
     glVertexArrayAttribBinding(array, attribute, attribute == 2U ? 1U : 0U);
     glEnableVertexArrayAttrib(array, attribute);
   }
+}
+
+SceneBuffers::SceneBuffers(const CompiledScene& scene) {
+  std::vector<std::uint32_t> numbers(
+      std::max(scene.fixed().drawables.size(), scene.moving().drawables.size()));
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  store(numbers_, numbers);
+  upload(fixed_, scene.fixed());
+  upload(moving_, scene.moving());
+  glVertexArrayAttribFormat(fixed_.array.name(), 1, 4, GL_UNSIGNED_SHORT, GL_TRUE,
+                            offsetof(LitVertex, light));
+  glVertexArrayAttribFormat(moving_.array.name(), 1, 3, GL_FLOAT, GL_FALSE, offsetof(MeshVertex, normal));
 }
 
 }  // namespace coherency

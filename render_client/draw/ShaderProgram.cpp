@@ -31,9 +31,10 @@ class Stage {
 
 }  // namespace
 
-Program makeProgram(const std::string& name, const char* vertex_source, const char* fragment_source) {
-  const Stage vertex(name, GL_VERTEX_SHADER, vertex_source);
-  const Stage fragment(name, GL_FRAGMENT_SHADER, fragment_source);
+Program makeProgram(const std::string& name, const std::string& vertex_source,
+                    const std::string& fragment_source) {
+  const Stage vertex(name, GL_VERTEX_SHADER, vertex_source.c_str());
+  const Stage fragment(name, GL_FRAGMENT_SHADER, fragment_source.c_str());
   Program program;
   glAttachShader(program.name(), vertex.name());
   glAttachShader(program.name(), fragment.name());

@@ -1,111 +1,161 @@
 #include "render_client/draw/ShaderSources.h"
 
-namespace coherency {
+#include "render_client/compile/CompiledScene.h"
 
+namespace coherency {
 namespace {
 
-// Light is computed at the vertices (compile/Refine.h makes them dense enough) and only the first light's
-// shadow in the picture's pixels: on a software renderer a pixel's light costs ten times a vertex's.
-const char* const kSceneVertexBody = R"(
+// Positions are in the world's axes, m from the eye.
+const char* const kView = R"(
+layout(std140, binding = 0) uniform View {
+  mat4 clip_from_world;
+  mat4 shadow_from_world;  // to u, v and height in the shadow map
+  vec4 sky;
+  vec4 ground;
+  vec4 lamp_position[4];  // w: reach, m
+  vec4 lamp_colour[4];    // irradiance at 1 m
+};
+
+layout(location = 0) in vec3 position;
+layout(location = 2) in uint object;
+
+layout(location = 0) out vec3 light;      // that the surface sends to the eye where nothing moves above it
+layout(location = 1) out vec4 shadow_at;  // u, v, height; share of the light that what moves above keeps away
+
+vec3 inShadowMap(vec3 p) { return (shadow_from_world * vec4(p, 1.0)).xyz; }
+)";
+
+const char* const kFixedVertex = R"(
 struct Object {
-  mat4 eye_from_mesh;
+  vec4 offset_emission;
+  vec4 colour;
+};
+layout(std430, binding = 0) readonly buffer Objects { Object objects[]; };
+layout(location = 1) in vec4 baked;  // irradiance / BRIGHTEST, and the share for shadow_at
+
+void main() {
+  float emission = objects[object].offset_emission.w;
+  vec3 p = objects[object].offset_emission.xyz + position;
+  gl_Position = clip_from_world * vec4(p, 1.0);
+  light = objects[object].colour.rgb * mix(BRIGHTEST * baked.rgb, vec3(1.0), emission);
+  if (SHADOWS) shadow_at = vec4(inShadowMap(p), baked.a * (1.0 - emission));
+}
+)";
+
+// Falloff: compile/Illumination.h has the same. Shadows fall on what faces up only; as they are soft, and
+// heights are those of a map's texels, they begin a little above the surface, and the more so the steeper it
+// is.
+const char* const kMovingVertex = R"(
+struct Object {
+  mat4 world_from_mesh;
   vec4 normal_x_emission;
   vec4 normal_y;
   vec4 normal_z;
   vec4 colour_gloss;
 };
 layout(std430, binding = 0) readonly buffer Objects { Object objects[]; };
-layout(std140, binding = 0) uniform View {
-  mat4 clip_from_eye;
-  mat4 shadow_from_eye;
-  vec4 up;
-  vec4 sky;
-  vec4 ground;
-  vec4 shadow;             // a texel's width at 1 m from the light
-  vec4 light_position[8];  // eye frame, m
-  vec4 light_colour[8];    // irradiance at 1 m
-};
-layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in uint object;
 
-layout(location = 0) out vec3 light;        // what the surface sends to the eye, but for the first light's share,
-layout(location = 1) out vec3 first_light;  // which is this where nothing is in its way
-layout(location = 2) out vec4 shadow_at;
+float falloff(float square, float reach) {
+  float x = square / (reach * reach);
+  float fade = max(1.0 - x * x, 0.0);
+  return fade * fade / max(square, 0.25);
+}
 
 void main() {
-  vec4 p = objects[object].eye_from_mesh * vec4(position, 1.0);
-  gl_Position = clip_from_eye * p;
+  vec3 p = (objects[object].world_from_mesh * vec4(position, 1.0)).xyz;
+  gl_Position = clip_from_world * vec4(p, 1.0);
   vec3 n = normalize(mat3(objects[object].normal_x_emission.xyz, objects[object].normal_y.xyz,
                           objects[object].normal_z.xyz) * normal);
-  vec3 to_eye = normalize(-p.xyz);
+  vec3 to_eye = normalize(-p);
   vec3 colour = objects[object].colour_gloss.rgb;
   float gloss = 0.5 * objects[object].colour_gloss.a;
   float emission = objects[object].normal_x_emission.w;
 
-  light = colour * mix(ground.rgb, sky.rgb, 0.5 + 0.5 * dot(n, up.xyz));
-  first_light = vec3(0.0);
-  for (int i = 0; i < LIGHTS; ++i) {
-    vec3 l = light_position[i].xyz - p.xyz;
+  vec3 irradiance = mix(ground.rgb, sky.rgb, 0.5 + 0.5 * n.y);
+  vec3 overhead = AMBIENT_SHADE * irradiance;
+  vec3 highlights = vec3(0.0);
+  for (int i = 0; i < LAMPS; ++i) {
+    vec3 l = lamp_position[i].xyz - p;
     float square = dot(l, l);
     l *= inversesqrt(square);
-    float wrapped = max((dot(n, l) + 0.1) / 1.1, 0.0);
+    vec3 reaching = lamp_colour[i].rgb * (falloff(square, lamp_position[i].w) * max((dot(n, l) + 0.1) / 1.1, 0.0));
     float highlight = max(dot(n, normalize(l + to_eye)), 0.0);
     for (int squaring = 0; squaring < 5; ++squaring) highlight *= highlight;  // to the 32nd power
-    vec3 share = light_colour[i].rgb * (wrapped / (square + 0.01)) * (colour + highlight * gloss);
-    if (i == 0 && SHADOWS) first_light = share; else light += share;
+    irradiance += reaching;
+    overhead += reaching * max(l.y, 0.0);
+    highlights += reaching * highlight;
   }
-  light = mix(light, colour, emission);
-  first_light *= 1.0 - emission;
-
-  // The point is moved off its surface by a texel and a half, and towards the light by 2 mm a metre, so that a surface
-  // does not shade itself. Depth is reversed: nearer to the light is greater.
-  float w = (shadow_from_eye * p).w;
-  vec4 s = shadow_from_eye * vec4(p.xyz + n * (1.5 * shadow.x * w), 1.0);
-  shadow_at = vec4(0.5 * (s.xy + s.w), 1.002 * s.z, s.w);
+  light = mix(colour * irradiance + gloss * highlights, colour, emission);
+  if (SHADOWS) {
+    const vec3 brightness = vec3(0.2126, 0.7152, 0.0722);
+    float share = max(n.y, 0.0) * dot(overhead, brightness) / max(dot(irradiance, brightness), 1e-6);
+    float slope = sqrt(max(1.0 - n.y * n.y, 0.0)) / max(n.y, 0.25);
+    shadow_at = vec4(inShadowMap(p + vec3(0.0, 0.006 + 0.016 * slope, 0.0)), share * (1.0 - emission));
+  }
 }
 )";
 
-const char* const kSceneFragmentBody = R"(
+const char* const kFragment = R"(
 layout(binding = 0) uniform sampler2DShadow shadow_map;
 layout(location = 0) in vec3 light;
-layout(location = 1) in vec3 first_light;
-layout(location = 2) in vec4 shadow_at;
+layout(location = 1) in vec4 shadow_at;
 layout(location = 0) out vec4 picture;
 
-// Straight up to 0.6, then a shoulder that reaches 1 at infinity: nothing clips.
+// Straight up to a half, then a shoulder that reaches 1 at infinity: nothing clips. compile/ToneCurve.h has the same.
 vec3 tone(vec3 c) {
-  vec3 over = max(c - 0.6, 0.0) / 0.4;
-  return min(c, 0.6) + 0.4 * over / (1.0 + over);
+  vec3 over = max(c - 0.5, 0.0);
+  return min(c, 0.5) + 0.5 * over / (0.5 + over);
 }
 
-void main() {
-  // Softened over two texels by the sampler; outside the map, and above the light, nothing is in shadow.
-  float lit = SHADOWS && shadow_at.w > 0.0 ? textureProj(shadow_map, shadow_at) : 1.0;
-  picture = vec4(tone(light + lit * first_light), 1.0);
+// As sRGB, to 0.1 % (Taylor, sRGB approximations for HLSL, 2013). Done here it is done once a pixel; left to the target,
+// a software renderer does it for every sample, which costs an eighth of the frame.
+vec3 encoded(vec3 c) {
+  vec3 root = sqrt(c);
+  vec3 fourth = sqrt(root);
+  return max(0.662002687 * root + 0.684122060 * fourth - 0.323583601 * sqrt(fourth) - 0.0225411470 * c, 0.0);
 }
+
+// Softened over four texels; fading towards the map's border.
+float shadow() {
+  float lit = 0.0;
+  for (int i = 0; i < 4; ++i)
+    lit += texture(shadow_map, vec3(shadow_at.xy + TEXEL * vec2(2 * (i & 1) - 1, (i & 2) - 1), shadow_at.z));
+  vec2 from_middle = abs(2.0 * shadow_at.xy - 1.0);
+  float fade = clamp(5.0 - 5.0 * max(from_middle.x, from_middle.y), 0.0, 1.0);
+  return shadow_at.w * fade * (1.0 - 0.25 * lit);
+}
+
+void main() { picture = vec4(encoded(tone(SHADOWS ? light * (1.0 - shadow()) : light)), 1.0); }
 )";
 
-std::string withDefinitions(const char* body, std::size_t lights, bool shadows) {
-  return "#version 450 core\n#define LIGHTS " + std::to_string(lights) + "\n#define SHADOWS " +
-         (shadows ? "true" : "false") + body;
+std::string defined(const ShaderVariant& variant) {
+  const bool shadows = variant.shadow_resolution > 0;
+  return "#version 450 core\n#define LAMPS " + std::to_string(variant.lamps) + "\n#define SHADOWS " +
+         (shadows ? "true" : "false") + "\n#define TEXEL " +
+         std::to_string(shadows ? 1.0 / variant.shadow_resolution : 0.0) + "\n#define BRIGHTEST " +
+         std::to_string(LitVertex::kBrightest) + "\n#define AMBIENT_SHADE " + std::to_string(kAmbientShade);
 }
 
 }  // namespace
 
-std::string sceneVertexShader(std::size_t lights, bool shadows) {
-  return withDefinitions(kSceneVertexBody, lights, shadows);
+std::string fixedVertexShader(const ShaderVariant& variant) {
+  return defined(variant) + kView + kFixedVertex;
 }
 
-std::string sceneFragmentShader(std::size_t lights, bool shadows) {
-  return withDefinitions(kSceneFragmentBody, lights, shadows);
+std::string movingVertexShader(const ShaderVariant& variant) {
+  return defined(variant) + kView + kMovingVertex;
+}
+
+std::string fragmentShader(const ShaderVariant& variant) {
+  return defined(variant) + kFragment;
 }
 
 const char* const kShadowVertexShader = R"(#version 450 core
-layout(std430, binding = 0) readonly buffer Objects { mat4 light_from_mesh[]; };
+layout(std430, binding = 0) readonly buffer Objects { mat4 map_from_mesh[]; };
 layout(location = 0) in vec3 position;
 layout(location = 2) in uint object;
-void main() { gl_Position = light_from_mesh[object] * vec4(position, 1.0); }
+void main() { gl_Position = map_from_mesh[object] * vec4(position, 1.0); }
 )";
 
 const char* const kShadowFragmentShader = R"(#version 450 core

@@ -5,14 +5,20 @@
 
 namespace coherency {
 
-// GLSL 4.50. What they read is laid out as ViewPass.cpp, ShadowMap.cpp and TextOverlay.cpp write it.
+// GLSL 4.50. What they read is laid out as ViewUniforms.cpp, FixedPass.h, MovingPass.h, OverheadShadow.cpp
+// and TextOverlay.cpp write it.
 
-inline constexpr std::size_t kMaxLights = 8;
+/// What a shader is made for, so that it has no loops or branches.
+struct ShaderVariant {
+  std::size_t lamps = 0;      ///< of the chosen ones
+  int shadow_resolution = 0;  ///< texels a side of the map; 0: no shadows
+};
 
-/// Lighting by the first `lights` (at most kMaxLights) lights, the first of them with shadows where asked
-/// for.
-std::string sceneVertexShader(std::size_t lights, bool shadows);
-std::string sceneFragmentShader(std::size_t lights, bool shadows);
+std::string fixedVertexShader(const ShaderVariant& variant);
+std::string movingVertexShader(const ShaderVariant& variant);
+/// Goes with both.
+std::string fragmentShader(const ShaderVariant& variant);
+
 extern const char* const kShadowVertexShader;
 extern const char* const kShadowFragmentShader;
 extern const char* const kTextVertexShader;

@@ -74,6 +74,7 @@ void TextOverlay::draw(std::span<const EyeView> views, const std::string& text) 
   const std::size_t quads = layOut(text);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
+  glEnable(GL_FRAMEBUFFER_SRGB);  // blended in linear light
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glUseProgram(program_.name());

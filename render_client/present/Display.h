@@ -19,6 +19,7 @@ struct DisplayInput {
   bool close = false;           ///< Esc, or the window was closed
   bool snapshot = false;        ///< F2
   bool toggle_overlay = false;  ///< F1
+  bool switch_mode = false;     ///< F3
 };
 
 /// Where pictures go: a window, or nowhere (headless). Construction makes an OpenGL 4.5 core context current

@@ -143,6 +143,7 @@ class WindowDisplay : public Display {
     input.close = input.close || key == GLFW_KEY_ESCAPE;
     input.toggle_overlay = input.toggle_overlay != (key == GLFW_KEY_F1);  // twice in a poll is not at all
     input.snapshot = input.snapshot || key == GLFW_KEY_F2;
+    input.switch_mode = input.switch_mode || key == GLFW_KEY_F3;
   }
 
   static void onSize(GLFWwindow* window, int width, int height) { self(window).setSize(width, height); }

@@ -74,6 +74,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
     close();
   }
 
+  /// Unlike reports, a wish is said sooner or later, the newest one.
+  void request(const ModeRequest& wish) {
+    wish_ = wish;
+    sayWish();
+  }
+
   void close() {
     closed_ = true;
     error_code ignored;
@@ -108,8 +114,16 @@ class Connection : public std::enable_shared_from_this<Connection> {
     asio::async_write(tcp_, asio::buffer(writing_),
                       [self = shared_from_this()](const error_code& error, std::size_t) {
                         self->writing_.clear();
-                        if (error) self->end(error.message());
+                        if (error) return self->end(error.message());
+                        self->sayWish();
                       });
+  }
+
+  void sayWish() {
+    if (!wish_ || closed_ || !welcomed_ || !writing_.empty()) return;
+    const ModeRequest wish = *wish_;
+    wish_.reset();
+    write(encodeControl(wish));
   }
 
   void read() {
@@ -156,6 +170,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   }
   void on(const Hello&) { on(Reject::Malformed); }
   void on(const ClientReport&) { on(Reject::Malformed); }
+  void on(const ModeRequest&) { on(Reject::Malformed); }
 
   bool openUdp(std::uint16_t port) {
     error_code error;
@@ -225,6 +240,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::array<std::byte, 2 * kMaxDatagram> datagram_{};
   std::vector<std::byte> writing_;
   std::vector<std::byte> probe_bytes_;
+  std::optional<ModeRequest> wish_;
   ClientTime heard_;
   bool welcomed_ = false;
   bool closed_ = false;
@@ -247,6 +263,12 @@ class ServerLink::Impl {
     });
     thread_.join();
     connection_.reset();
+  }
+
+  void request(const ModeRequest& wish) {
+    asio::post(*io_, [this, wish] {
+      if (connection_) connection_->request(wish);
+    });
   }
 
   LinkState& state() { return state_; }
@@ -319,6 +341,9 @@ std::optional<ReceivedPacket> ServerLink::atTick(std::uint64_t tick) const {
 
 bool ServerLink::waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const {
   return impl_->state().waitForTick(tick, timeout_ns);
+}
+void ServerLink::requestMode(Mode mode) {
+  impl_->request(ModeRequest{mode});
 }
 void ServerLink::reportFrame(const FrameReport& frame) {
   impl_->state().reportFrame(frame);

@@ -64,6 +64,8 @@ class ServerLink {
 
   /// To be told to the server with the next report (twice a second).
   void reportFrame(const FrameReport& frame);
+  /// Asks the server for another mode; heard within a round trip, or not at all where there is no connection.
+  void requestMode(Mode mode);
   /// Server time of a client time; nullopt until the clock is known.
   std::optional<ServerTime> toServer(ClientTime t) const;
   LinkStats stats() const;

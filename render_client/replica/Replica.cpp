@@ -3,11 +3,11 @@
 namespace coherency {
 
 Replica::Replica(const SessionConfig& session)
-    : session_(session), scene_(makeScene(session.scene, session.rig)) {}
+    : session_(session), scene_(std::make_unique<Scene>(session.scene, session.rig)) {}
 
 bool Replica::apply(const MotionPacket& packet) {
   const std::uint64_t hash = stateHash(packet.world, packet.sample);
-  if (hash != packet.hash) {
+  if (hash != packet.hash || !scene_->fits(packet.world)) {
     ++mismatches_;
     return false;
   }

@@ -12,11 +12,11 @@ namespace coherency {
 /// last. Built from the session alone, so that two clients cannot differ.
 class Replica {
  public:
-  /// Throws std::invalid_argument when the session names a scene this client does not know.
+  /// Throws std::invalid_argument when the session's scene has in it what this client does not know.
   explicit Replica(const SessionConfig& session);
 
-  /// Recomputes the state's hash and, where it is the packet's, brings the scene into that state. Otherwise
-  /// counts a mismatch, keeps the old state and returns false.
+  /// Recomputes the state's hash and, where it is the packet's and the state one of this world's, brings the
+  /// scene into that state. Otherwise counts a mismatch, keeps the old state and returns false.
   bool apply(const MotionPacket& packet);
 
   /// Goes on with a new session of the same world. Precondition: sameWorld(session, session()).

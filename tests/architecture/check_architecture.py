@@ -18,7 +18,8 @@ ARROWS = {
     "motion": {"math"},
     "sync": {"math"},
     "body": {"math", "motion", "scene"},
-    "world": {"body", "math", "motion", "scene"},
+    "objects": {"body", "math", "scene"},
+    "world": {"body", "math", "motion", "objects", "scene"},
     "wire": {"body", "math", "motion", "world"},
     "config": {"body", "math", "motion", "scene", "sync", "world"},
 }

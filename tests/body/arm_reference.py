@@ -7,6 +7,7 @@ Away from the T-pose (right arm along +x) the upper arm turns by the factors up 
 Segments have the default rig's lengths. Columns: seven joints, elbow, wrist and palm in the shoulder frame, and R_hand
 row by row. Shares no code with the program.
 """
+import itertools
 import math
 import random
 
@@ -65,7 +66,7 @@ def main():
     print(",".join(names))
     chance = random.Random(19)
     rows = [(0.0, -UP, BACK, 0.0, 0.0, 0.0, 0.0)]
-    rows += [tuple(limit[k] for limit in LIMITS) for k in (0, 1)]
+    rows += itertools.product(*LIMITS)  # every corner of the joints' limits
     rows += [tuple(chance.uniform(*limit) for limit in LIMITS) for _ in range(60)]
     for joints in rows:
         elbow, wrist, palm, hand = arm(*joints)

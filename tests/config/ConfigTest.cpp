@@ -8,6 +8,7 @@
 #include "common/config/HmdProfile.h"
 #include "common/config/ReplaceFile.h"
 #include "common/config/RigFile.h"
+#include "common/config/SceneFile.h"
 #include "common/config/ServerConfig.h"
 
 namespace coherency {
@@ -20,11 +21,13 @@ class ConfigTest : public testing::Test {
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     folder_ = fs::path(testing::TempDir()) / (std::string("coherency_") + test->name());
-    fs::create_directories(folder_);
+    fs::create_directories(folder_ / "servers");
+    fs::create_directories(folder_ / "scenes");
+    std::ofstream(folder_ / "scenes/laboratory.toml") << "# empty\n";
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  std::string write(const std::string& text, const std::string& name = "it.toml") {
+  std::string write(const std::string& text, const std::string& name = "servers/it.toml") {
     std::ofstream(folder_ / name) << text;
     return (folder_ / name).string();
   }
@@ -62,6 +65,9 @@ TEST_F(ConfigTest, EveryShippedFileLoads) {
       EXPECT_NO_THROW(readRig(path)) << path;
     else if (folder == "hmds")
       EXPECT_NO_THROW(readHmdProfile(path)) << path;
+    else if (folder == "scenes")
+      EXPECT_NO_THROW(readScene(entry.path().stem().string() + ":100", entry.path().parent_path().string()))
+          << path;
     else
       ADD_FAILURE() << path << ": nobody reads this folder";
   }
@@ -98,9 +104,11 @@ TEST_F(ConfigTest, WrongFilesAreRefusedWithPlaceAndRemedy) {
   expectRefused("[sampling]\nrate_hz = nan\n", ":2:", "sampling.rate_hz");
   expectRefused("[sampling]\n\n  rate_hz = inf\n", ":3:", "must be from 10 to 10000");
   expectRefused("[master]\nkind = \"telepathy\"\n", ":2:", "must be one of: simulated, replay");
-  expectRefused("scene = \"atlantis\"\n", ":1:", "must be one of: ");
+  expectRefused("scene = \"atlantis\"\n", ":1:", "is not known; there are, in ");
+  expectRefused("mode = \"ghost\"\n", ":1:", "must be one of: operator, robot");
   expectRefused("[network]\nredundancy = 8\n", ":2:", "from 0 to 7");
-  expectRefused("[netwrok]\nport = 1\n", ":1:", "known are: master, network, rig, sampling, scene");
+  expectRefused("[netwrok]\nport = 1\n",
+                ":1:", "known are: master, mode, network, rig, sampling, scene, world_seed");
   expectRefused("network = 3\n", ":1:", "must be a table");
   expectRefused("[master.replay]\nloop = 1\n", ":2:", "must be true or false");
 }
@@ -113,8 +121,71 @@ TEST_F(ConfigTest, MissingFilesAreNamed) {
 }
 
 TEST_F(ConfigTest, PathsAreRelativeToTheFile) {
-  write("upper_arm = 0.25\n", "arm.toml");
+  write("upper_arm = 0.25\n", "servers/arm.toml");
+  write("driving = false\n", "servers/my.toml");
   EXPECT_EQ(readServerConfig(write("rig = \"arm.toml\"\n")).rig.upper_arm, 0.25);
+  EXPECT_FALSE(readServerConfig(write("scene = \"my.toml\"\n")).scene.driving);
+}
+
+TEST_F(ConfigTest, ScenesSayWhatIsInThem) {
+  const std::string path = write(R"(
+operator = "eyes"
+start = [1.0, -2.0, 90.0]
+scatter = [0.0, 1.0, 2.0, 3.0]
+[robot]
+start = [0.5, 0.25, 0.0]
+[[object]]
+kind = "table"
+position = [0.0, 0.1, -1.2]
+heading = -90.0
+[[object]]
+kind = "block"
+name = "the red one"
+colour = "#ff0000"
+)",
+                                 "scenes/mine.toml");
+  for (const SceneDescription& scene :
+       {readScene(path, ""), readScene("mine", (folder_ / "scenes").string())}) {
+    EXPECT_EQ(scene.name, "mine");
+    EXPECT_FALSE(scene.operator_shown);
+    EXPECT_TRUE(scene.driving);
+    EXPECT_EQ(scene.start, (BasePose{1'000'000'000, 0, -2'000'000'000, 1 << 30}));
+    EXPECT_EQ(scene.workplace, scene.start);
+    ASSERT_TRUE(scene.robot);
+    EXPECT_EQ(scene.robot->workplace, (BasePose{500'000'000, 0, 250'000'000, 0}));
+    EXPECT_EQ(scene.scatter, (ScatterArea{0.0, 1.0, 2.0, 3.0}));
+    ASSERT_EQ(scene.objects.size(), 2U);
+    EXPECT_EQ(scene.objects[0],
+              (ObjectPlacement{"table", "table", {0, 100'000'000, -1'200'000'000, -(1 << 30)}, "", 0}));
+    EXPECT_EQ(scene.objects[1].name, "the red one");
+    EXPECT_EQ(scene.objects[1].colour, "#ff0000");
+  }
+}
+
+TEST_F(ConfigTest, WrongScenesAreRefusedWithPlaceAndRemedy) {
+  const auto refused = [&](const std::string& text, const std::string& place, const std::string& words) {
+    const std::string path = write(text, "scenes/bad.toml");
+    const std::string message = messageOf([&] { readScene(path, ""); });
+    EXPECT_NE(message.find("bad.toml" + place), std::string::npos) << message;
+    EXPECT_NE(message.find(words), std::string::npos) << message;
+  };
+  refused("[[object]]\nkind = \"unicorn\"\n",
+          ":2:", "\"unicorn\" is no kind of object; there are laboratory");
+  refused("[[object]]\nname = \"x\"\n", ":", "is no kind of object");
+  refused("[[object]]\nkind = \"table\"\nposition = [1.0, 2.0]\n", ":3:", "must be 3 numbers");
+  refused("[[object]]\nkind = \"table\"\nposition = [2e9, 0.0, 0.0]\n",
+          ":3:", "from -1000000000 to 1000000000");
+  refused("[[object]]\nkind = \"table\"\nposition = [nan, 0.0, 0.0]\n", ":3:", "must be 3 numbers");
+  refused("[[object]]\nkind = \"table\"\nheadnig = 1.0\n", ":3:", "is not a known key");
+  refused("[[object]]\nkind = \"table\"\ncount = 3\n", ":3:", "is not a known key");
+  refused("start = [0.0, 0.0, \"left\"]\n", ":1:", "must be 3 numbers");
+  refused("scatter = [1.0, 0.0, 2.0, 3.0]\n", ":1:", "no larger than its to");
+  refused("object = 3\n", ":1:", "must be tables: [[object]]");
+  refused("operator = \"ghost\"\n", ":1:", "must be one of: whole, eyes");
+  const std::string folder = (folder_ / "scenes").string();
+  EXPECT_NE(messageOf([&] { readScene("laboratory:x", folder); }).find("whole number"), std::string::npos);
+  EXPECT_NE(messageOf([&] { readScene("laboratory:0", folder); }).find("from 1 to"), std::string::npos);
+  EXPECT_NE(messageOf([&] { readScene("atlantis", folder); }).find("bad, laboratory"), std::string::npos);
 }
 
 TEST_F(ConfigTest, AbsurdRigsAreRefused) {

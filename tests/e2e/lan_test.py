@@ -69,7 +69,7 @@ class Lan(SessionTest):
             print(f"{eye}: clock {stats['clock']['offset_us']:+.1f} us within {stats['clock']['bound_us']:.1f} us "
                   "(one machine: the truth is 0)")
             self.assertLessEqual(abs(stats["clock"]["offset_us"]), stats["clock"]["bound_us"])
-        faults += stereo_faults(self.folder)
+        faults += stereo_faults(self.folder, "")
         self.assertEqual(faults, [])
         self.assertEqual(read_png(self.folder / "stereo.png")[0], 640)
         addresses = {c["eye"]: c["address"] for c in self.stats("server")["clients"]}

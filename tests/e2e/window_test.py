@@ -63,6 +63,9 @@ class Window(SessionTest):
         self.assertEqual((width, height), (960, 360))
         self.assertEqual(list(picture_faults("both_001", rows)), [])
         self.assertEqual(text["scene"], "laboratory")
+        self.assertEqual(self.stats("server")["mode"], "operator")
+        self.key("F3")
+        self.until(lambda: self.stats("server")["mode"] == "robot", 5, client)
         self.key("Escape")
         self.assertEnds(client, 0, 10)
 

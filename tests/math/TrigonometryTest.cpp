@@ -15,8 +15,8 @@ namespace {
 
 /// Distance from the truth (80-bit long double) in units of the result's last place; near zeros, of 2^-60.
 double unitsOff(double value, long double truth) {
-  const double ulp = std::nextafter(std::abs(static_cast<double>(truth)), 2.0) -
-                     std::abs(static_cast<double>(truth));
+  const double ulp =
+      std::nextafter(std::abs(static_cast<double>(truth)), 2.0) - std::abs(static_cast<double>(truth));
   return static_cast<double>(std::abs(static_cast<long double>(value) - truth)) / std::max(ulp, 0x1p-60);
 }
 

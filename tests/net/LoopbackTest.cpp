@@ -65,6 +65,8 @@ class Server {
     sample.server_time_ns = clock_.nowNs();
     WorldState world;
     world.tick = sample.sequence;
+    mode_ = broadcaster_.takeModeRequest().value_or(mode_);
+    world.mode = mode_;
     broadcaster_.publish(world, sample);
   }
 
@@ -86,6 +88,7 @@ class Server {
   const Clock& clock_;
   Broadcaster broadcaster_;
   std::uint64_t sequence_ = 0;
+  Mode mode_ = Mode::Operator;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };
@@ -143,6 +146,33 @@ TEST_F(Loopback, APacketCarriesTheSamplesBeforeIt) {
   EXPECT_EQ(packet.previous[0].sequence, packet.sample.sequence - 1);
   EXPECT_EQ(packet.previous[1].sequence, packet.sample.sequence - 2);
   EXPECT_EQ(packet.hash, stateHash(packet.world, packet.sample));
+}
+
+/// The first of the last thousand ticks in robot mode that came to this eye.
+std::uint64_t firstRobotTick(const ServerLink& eye) {
+  const std::uint64_t newest = eye.newest()->packet.world.tick;
+  for (std::uint64_t tick = newest > 900 ? newest - 900 : 1; tick <= newest; ++tick) {
+    const auto packet = eye.atTick(tick);
+    if (packet && packet->packet.world.mode == Mode::Robot) return tick;
+  }
+  return 0;
+}
+
+TEST_F(Loopback, BothEyesSwitchModesAtTheTickOneOfThemAskedFor) {
+  Server server(clock_);
+  ServerLink left(link(server.port(), "left"), clock_);
+  ServerLink right(link(server.port(), "right"), clock_);
+  server.start();
+  ASSERT_TRUE(receives(left));
+  ASSERT_TRUE(receives(right));
+  left.requestMode(Mode::Robot);
+  const auto inRobotMode = [](const ServerLink& eye) {
+    return eye.newest()->packet.world.mode == Mode::Robot;
+  };
+  ASSERT_TRUE(eventually([&] { return inRobotMode(left) && inRobotMode(right); }));
+  server.stop();
+  EXPECT_GT(firstRobotTick(left), 1U);
+  EXPECT_EQ(firstRobotTick(left), firstRobotTick(right));
 }
 
 TEST_F(Loopback, ARestartedClientReceivesAgainWithinASecond) {
@@ -259,10 +289,10 @@ void answerOnce(tcp::acceptor& acceptor, const Bytes& answer) {
 }
 
 TEST_F(Loopback, AServerOfAnotherVersionIsRefusedAtOnce) {
-  // One says so itself; one just welcomes, as version 2.
-  const Bytes says = encodeControl(Goodbye{"this server speaks version 2.0", GoodbyeCause::Version});
+  // One says so itself; one just welcomes, as another version.
+  const Bytes says = encodeControl(Goodbye{"this server speaks version 9.0", GoodbyeCause::Version});
   const Bytes welcomes{std::byte{0},    std::byte{0},    std::byte{0},    std::byte{4},
-                       std::byte{0x12}, std::byte{0x02}, std::byte{0x08}, std::byte{0x02}};
+                       std::byte{0x12}, std::byte{0x02}, std::byte{0x08}, std::byte{0x09}};
   for (const Bytes& answer : {says, welcomes}) {
     asio::io_context io;
     tcp::acceptor acceptor(io, {asio::ip::make_address("127.0.0.1"), 0});

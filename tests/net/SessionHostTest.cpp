@@ -54,7 +54,7 @@ TEST_F(SessionHostTest, WelcomesWithSessionIdsAndAToken) {
   EXPECT_EQ(a.session_id, b.session_id);
   EXPECT_NE(a.client_id, b.client_id);
   EXPECT_NE(a.client_token, b.client_token);
-  EXPECT_EQ(a.scene, "laboratory");
+  EXPECT_EQ(a.scene.name, "laboratory");
   ASSERT_EQ(host_.clients().size(), 2U);
   EXPECT_EQ(host_.clients()[1].eye, "right");
   EXPECT_EQ(host_.clients()[1].address, "192.0.2.1:5000");
@@ -99,6 +99,18 @@ TEST_F(SessionHostTest, ForeignProbesAreCountedAndOpenNothing) {
   EXPECT_TRUE(host_.targets().empty());
 }
 
+TEST_F(SessionHostTest, PassesOnWhatModeAClientAsksFor) {
+  const SessionConfig client = join();
+  const auto reaction = say(client.client_id, encodeControl(ModeRequest{Mode::Robot}));
+  EXPECT_EQ(reaction.mode, Mode::Robot);
+  EXPECT_FALSE(reaction.goodbye);
+  EXPECT_TRUE(reaction.send.empty());
+  EXPECT_FALSE(say(client.client_id, encodeControl(ClientReport{})).mode);
+  const auto stranger = say(connect(), encodeControl(ModeRequest{Mode::Robot}));
+  EXPECT_FALSE(stranger.mode);
+  EXPECT_EQ(farewell(stranger).cause, GoodbyeCause::Protocol);
+}
+
 TEST_F(SessionHostTest, DatagramsThatNoClientSendsAreMalformed) {
   EXPECT_FALSE(host_.datagram(datagram(packet(host_.sessionId(), 1)), home(), now_));
   EXPECT_FALSE(host_.datagram(datagram(ClockReply{host_.sessionId(), 1, 2, 3}), home(), now_));
@@ -112,8 +124,8 @@ TEST_F(SessionHostTest, AnotherMajorVersionIsToldBothVersions) {
   const auto reaction = say(connect(), encodeControl(Hello{kWireMajor + 1, 4, "", ""}));
   const Goodbye goodbye = farewell(reaction);
   EXPECT_EQ(goodbye.cause, GoodbyeCause::Version);
-  EXPECT_NE(goodbye.reason.find("1.0"), std::string::npos) << goodbye.reason;
-  EXPECT_NE(goodbye.reason.find("2.4"), std::string::npos) << goodbye.reason;
+  EXPECT_NE(goodbye.reason.find("2.0"), std::string::npos) << goodbye.reason;
+  EXPECT_NE(goodbye.reason.find("3.4"), std::string::npos) << goodbye.reason;
   EXPECT_EQ(host_.rejected().version, 1U);
   EXPECT_TRUE(host_.clients().empty());
 }
@@ -122,7 +134,7 @@ TEST_F(SessionHostTest, AFullHouseSaysSoAndHasRoomAgainWhenOneLeaves) {
   const SessionConfig first = join();
   join();
   join();
-  const Goodbye goodbye = farewell(say(connect(), encodeControl(Hello{1, 0, "left", ""})));
+  const Goodbye goodbye = farewell(say(connect(), encodeControl(Hello{kWireMajor, 0, "left", ""})));
   EXPECT_EQ(goodbye.cause, GoodbyeCause::Full);
   EXPECT_NE(goodbye.reason.find('3'), std::string::npos) << goodbye.reason;
   host_.close(first.client_id);
@@ -138,7 +150,7 @@ TEST_F(SessionHostTest, StrangersCannotTakeAllThePlaces) {
 }
 
 TEST_F(SessionHostTest, WhatHasNoPlaceEndsTheConnection) {
-  const Bytes hello = encodeControl(Hello{1, 0, "left", ""});
+  const Bytes hello = encodeControl(Hello{kWireMajor, 0, "left", ""});
   const Bytes report = encodeControl(ClientReport{});
   EXPECT_EQ(farewell(say(connect(), report)).cause, GoodbyeCause::Protocol);  // before hello
   const SessionConfig session = join();
@@ -159,7 +171,7 @@ TEST_F(SessionHostTest, AfterTheGoodbyeNothingCountsAnyMore) {
   EXPECT_TRUE(reaction.send.empty());
   EXPECT_TRUE(host_.targets().empty());
   EXPECT_FALSE(probe(session));
-  EXPECT_TRUE(say(session.client_id, encodeControl(Hello{1, 0, "left", ""})).send.empty());
+  EXPECT_TRUE(say(session.client_id, encodeControl(Hello{kWireMajor, 0, "left", ""})).send.empty());
   EXPECT_FALSE(host_.clients().at(0).connected);
   now_ = now_ + SessionHost::kLingerNs;
   EXPECT_EQ(host_.expired(now_), std::vector<std::uint32_t>{session.client_id});

@@ -27,7 +27,7 @@ inline std::vector<DecodedControl> messagesIn(const Bytes& stream) {
 
 inline SessionConfig laboratory() {
   SessionConfig session;
-  session.scene = "laboratory";
+  session.scene.name = "laboratory";
   session.udp_port = 1;
   return session;
 }

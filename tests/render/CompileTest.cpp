@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/scene/Light.h"
 #include "common/scene/Primitives.h"
 #include "render_client/compile/CompiledScene.h"
 #include "render_client/compile/Refine.h"
@@ -196,14 +197,14 @@ TEST(CompiledScene, RefusesAnIndexWithoutVertexNamingObjectFaceAndVertex) {
   Raw broken("broken", faces);
   root.addMember(&broken);
   try {
-    const CompiledScene scene(root);
+    const CompiledScene scene(root, {});
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "world/broken: face 1 names vertex 3 of a shape that has 3");
   }
 }
 
-TEST(CompiledScene, FollowsTheTree) {
+TEST(CompiledScene, FollowsWhatMovesDownTheTree) {
   VRObject root("world");
   VRObject group("group");
   Box box({1.0, 2.0, 3.0}, "box");
@@ -211,26 +212,70 @@ TEST(CompiledScene, FollowsTheTree) {
   root.addMember(&group);
   group.addMember(&box);
   box.addMember(&ball);
-  CompiledScene scene(root);
-  ASSERT_EQ(scene.drawables().size(), 2U) << "a group shows nothing itself";
+  box.attach(Moving{});
+  group.setPosition(5.0, 0.0, 0.0);
+  CompiledScene scene(root, {});
+  EXPECT_TRUE(scene.fixed().drawables.empty());
+  const auto& moving = scene.moving();
+  ASSERT_EQ(moving.drawables.size(), 2U) << "a group shows nothing itself";
 
-  group.setTransform(TransformMatrix::translation({5.0, 0.0, 0.0}) * TransformMatrix::rotationY(0.5));
-  box.setPosition(0.0, 1.0, 0.0);
+  box.setTransform(TransformMatrix::translation({0.0, 1.0, 0.0}) * TransformMatrix::rotationY(0.5));
   ball.scale({2.0, 3.0, 4.0});
   scene.update();
-  const auto& drawables = scene.drawables();
   for (const VRObject* object : {static_cast<VRObject*>(&box), static_cast<VRObject*>(&ball)}) {
-    const Drawable& drawable = drawables[object == &box ? 0 : 1];
+    const Drawable& drawable = moving.drawables[object == &box ? 0 : 1];
     EXPECT_EQ(drawable.faces, object->faces());
     EXPECT_TRUE(scene.worldTransform(drawable) == object->globalTransform()) << object->name();
   }
-  EXPECT_EQ(drawables[0].plain_count, 36U);
-  EXPECT_GE(drawables[0].index_count, 36U);
-  EXPECT_EQ(drawables[1].first_plain, drawables[0].first_index + drawables[0].index_count);
-  EXPECT_EQ(scene.indices().size(), drawables[1].first_index + drawables[1].index_count);
-  for (std::uint32_t i = 0; i < drawables[1].index_count; ++i)
-    EXPECT_LT(drawables[1].first_vertex + scene.indices()[drawables[1].first_index + i],
-              scene.vertices().size());
+  EXPECT_GE(moving.drawables[0].index_count, 36U);
+  EXPECT_EQ(moving.drawables[1].first_index, moving.drawables[0].index_count);
+  EXPECT_EQ(moving.indices.size(), moving.drawables[1].first_index + moving.drawables[1].index_count);
+  for (std::uint32_t i = 0; i < moving.drawables[1].index_count; ++i)
+    EXPECT_LT(moving.drawables[1].first_vertex + moving.indices[moving.drawables[1].first_index + i],
+              moving.vertices.size());
+}
+
+TEST(CompiledScene, WhatNeverMovesStandsInTheWorldWhereItsTransformsPutIt) {
+  VRObject root("world");
+  Box table({1.0, 0.1, 0.6}, "table");
+  Box block({0.1, 0.2, 0.3}, "block");
+  Box mirrored({0.1, 0.2, 0.3}, "mirrored");
+  Box mover({0.1, 0.1, 0.1}, "mover");
+  root.addMember(&table);
+  table.addMember(&block);
+  table.addMember(&mirrored);
+  root.addMember(&mover);
+  mover.attach(Moving{});
+  table.setTransform(TransformMatrix::translation({1e6, 2.0, 3.0}) * TransformMatrix::rotationY(0.5));
+  block.setTransform(TransformMatrix::translation({0.0, 1.0, 0.0}) *
+                     TransformMatrix::scaling({2.0, 1.0, 1.0}));
+  mirrored.setTransform(TransformMatrix::scaling({-1.0, 1.0, 1.0}));
+  const CompiledScene scene(root, {});
+  const auto& fixed = scene.fixed();
+  ASSERT_EQ(fixed.drawables.size(), 3U);
+  EXPECT_EQ(scene.moving().drawables.size(), 1U);
+  for (const Drawable& drawable : fixed.drawables) {
+    EXPECT_TRUE(scene.worldTransform(drawable) == TransformMatrix());
+    const VRObject* object = drawable.faces == table.faces()   ? &table
+                             : drawable.faces == block.faces() ? &block
+                                                               : &mirrored;
+    const TransformMatrix t_object_world = object->globalTransform().inverse();
+    double volume = 0.0;
+    for (std::uint32_t i = 0; i < drawable.index_count; i += 3) {
+      Coord3 corner[3];
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        const std::uint32_t vertex = drawable.first_vertex + fixed.indices[drawable.first_index + i + c];
+        corner[c] = coord(fixed.vertices[vertex].position);
+        const Coord3 local = t_object_world.point(drawable.origin + corner[c]);
+        EXPECT_LE(norm(local), 0.6) << "within its box";
+      }
+      volume += dot(corner[0], cross(corner[1], corner[2])) / 6.0;
+    }
+    const double expected = drawable.faces == table.faces()   ? 0.06
+                            : drawable.faces == block.faces() ? 0.012
+                                                              : 0.006;
+    EXPECT_NEAR(volume, expected, 1e-6) << object->name() << " is turned right and has its size";
+  }
 }
 
 /// Every edge of the surface is shared by two triangles that run along it in opposite directions.

@@ -45,7 +45,7 @@ void addLitBoxes(TestScene& scene) {
 TEST_F(RendererTest, LeavesNoErrorInOpenGlOverAHundredFrames) {
   TestScene scene;
   addLitBoxes(scene);
-  Renderer renderer(scene, 2 * kWidth, kHeight);
+  Renderer renderer(scene, scene.illumination(), 2 * kWidth, kHeight);
   ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "after construction";
   for (int frame = 0; frame < 100; ++frame) {
     const int width = kWidth - frame / 10;
@@ -65,7 +65,7 @@ TEST_F(RendererTest, DrawingTheSameAgainGivesTheSamePicture) {
   TestScene scene;
   addLitBoxes(scene);
   const EyeView view = lookingAhead({}, kWidth, kHeight);
-  Renderer renderer(scene, kWidth, kHeight);
+  Renderer renderer(scene, scene.illumination(), kWidth, kHeight);
   const Image first = picture(renderer, {&view, 1});
   renderer.drawText({&view, 1}, "what text leaves behind must not show in the next frame");
   EXPECT_GT(shareDiffering(renderer.readImage(), first, 0), 0.0);
@@ -74,11 +74,11 @@ TEST_F(RendererTest, DrawingTheSameAgainGivesTheSamePicture) {
 
 TEST_F(RendererTest, EmptySceneShowsTheSky) {
   TestScene scene;
-  scene.setAmbient({0.5, 0.25, 0.0}, {});
+  scene.setAmbient({0.4, 0.25, 0.0}, {});
   const Image image = picture(scene, lookingAhead({}, kWidth, kHeight));
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      ASSERT_NEAR(linear(value(image, x, y, Red)), 0.5, 0.01);
+      ASSERT_NEAR(linear(value(image, x, y, Red)), 0.4, 0.01);
       ASSERT_NEAR(linear(value(image, x, y, Green)), 0.25, 0.01);
       ASSERT_EQ(value(image, x, y, Blue), 0);
     }
@@ -88,7 +88,7 @@ TEST_F(RendererTest, EmptySceneShowsTheSky) {
 TEST_F(RendererTest, ResizedDrawsWhatANewOneOfThatSizeDraws) {
   TestScene scene;
   addLitBoxes(scene);
-  Renderer renderer(scene, kWidth, kHeight);
+  Renderer renderer(scene, scene.illumination(), kWidth, kHeight);
   for (const auto& [width, height] : {std::pair{200, 90}, {64, 128}, {1, 1}}) {
     const EyeView view = lookingAhead({}, width, height);
     renderer.resize(width, height);
@@ -103,7 +103,7 @@ TEST_F(RendererTest, RefusesSizesThatCannotBeAndGoesOnWithTheOldOne) {
   TestScene scene;
   addLitBoxes(scene);
   const EyeView view = lookingAhead({}, kWidth, kHeight);
-  Renderer renderer(scene, kWidth, kHeight);
+  Renderer renderer(scene, scene.illumination(), kWidth, kHeight);
   const Image before = picture(renderer, {&view, 1});
   for (const auto& [width, height] : {std::pair{0, 10}, {10, -1}, {1 << 20, 10}}) {
     const std::string text = complaint([&, w = width, h = height] { renderer.resize(w, h); });
@@ -111,16 +111,16 @@ TEST_F(RendererTest, RefusesSizesThatCannotBeAndGoesOnWithTheOldOne) {
     EXPECT_TRUE(mentions(text, "must be 1 to ")) << text;
     EXPECT_EQ(shareDiffering(picture(renderer, {&view, 1}), before, 0), 0.0);
   }
-  EXPECT_TRUE(mentions(complaint([&] { Renderer(scene, 0, 0); }), "0x0"));
+  EXPECT_TRUE(mentions(complaint([&] { Renderer(scene, scene.illumination(), 0, 0); }), "0x0"));
   const RendererSettings coarse{.shadow_resolution = 3};
-  EXPECT_TRUE(
-      mentions(complaint([&] { Renderer(scene, 8, 8, coarse); }), "shadow resolution 3 must be 16 to "));
+  EXPECT_TRUE(mentions(complaint([&] { Renderer(scene, scene.illumination(), 8, 8, coarse); }),
+                       "shadow resolution 3 must be 16 to "));
 }
 
 TEST_F(RendererTest, CountsWhatItDraws) {
   TestScene scene;
   addLitBoxes(scene);
-  const Renderer renderer(scene, 8, 8, {.samples = 1});
+  const Renderer renderer(scene, scene.illumination(), 8, 8, {.samples = 1});
   EXPECT_EQ(renderer.objectCount(), 3U);
   EXPECT_GE(renderer.triangleCount(), 12U + 12U + 2U * 16U * 7U);
   EXPECT_EQ(renderer.samples(), 1);
@@ -133,7 +133,7 @@ class Text : public DrawingTest {
     DrawingTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     scene_.setAmbient({0.5, 0.5, 0.5}, {});
-    renderer_ = std::make_unique<Renderer>(scene_, 2 * kWidth, kHeight);
+    renderer_ = std::make_unique<Renderer>(scene_, scene_.illumination(), 2 * kWidth, kHeight);
     views_ = {lookingAhead({}, kWidth, kHeight), lookingAhead({}, kWidth, kHeight)};
     views_[1].x = kWidth;
     blank_ = picture(*renderer_, views_);

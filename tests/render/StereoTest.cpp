@@ -35,8 +35,8 @@ void pose(Scene& scene, const Head& head) {
     reading.si[index(dof)] += by;
   const MotionSample sample = SampleGate(neutralPosture(rig)).admit(reading, 1, 0);
   for (std::size_t i = 0; i < kDofCount; ++i) ASSERT_TRUE(sample.isValid(dofAt(i))) << info(dofAt(i)).name;
-  WorldState state;
-  state.base = head.base;
+  WorldState state = scene.initialState();
+  state.master.base = head.base;
   scene.apply(state, sample);
 }
 
@@ -45,11 +45,11 @@ TEST(EyeViews, EyesAreTheRigsEyeDistanceApartAndNeverInOnePlace) {
     for (const Head& head : kHeads) {
       Rig rig;
       rig.eye_distance = eye_distance;
-      TestScene scene(rig);
+      SeenScene scene(rig);
       pose(scene, head);
       std::vector<EyeView> both;
       std::vector<EyeView> one;
-      eyeViews(scene, {}, EyeChoice::Both, 64, 48, both);
+      eyeViews(scene, Mode::Operator, {}, EyeChoice::Both, 64, 48, both);
       ASSERT_EQ(both.size(), 2U);
       const Coord3 apart = both[1].t_world_eye.origin() - both[0].t_world_eye.origin();
       const Coord3 to_the_right = both[0].t_world_eye.vector({1.0, 0.0, 0.0});
@@ -59,33 +59,33 @@ TEST(EyeViews, EyesAreTheRigsEyeDistanceApartAndNeverInOnePlace) {
       EXPECT_EQ(both[0].x, 0);
       EXPECT_EQ(both[1].x, 64);
 
-      eyeViews(scene, {}, EyeChoice::Left, 64, 48, one);
+      eyeViews(scene, Mode::Operator, {}, EyeChoice::Left, 64, 48, one);
       ASSERT_EQ(one.size(), 1U);
       EXPECT_TRUE(one[0].t_world_eye == both[0].t_world_eye);
-      eyeViews(scene, {}, EyeChoice::Right, 64, 48, one);
+      eyeViews(scene, Mode::Operator, {}, EyeChoice::Right, 64, 48, one);
       ASSERT_EQ(one.size(), 1U);
       EXPECT_TRUE(one[0].t_world_eye == both[1].t_world_eye);
       EXPECT_EQ(one[0].x, 0) << "alone on its own picture";
-      eyeViews(scene, {}, EyeChoice::Mono, 64, 48, one);
+      eyeViews(scene, Mode::Operator, {}, EyeChoice::Mono, 64, 48, one);
       ASSERT_EQ(one.size(), 1U);
       EXPECT_LT(norm(one[0].t_world_eye.origin() - both[0].t_world_eye.origin() - 0.5 * apart), 1e-12);
     }
 }
 
 TEST(EyeViews, TemplesSeeWiderThanTheNose) {
-  TestScene scene;
+  SeenScene scene;
   std::vector<EyeView> views;
-  eyeViews(scene, {}, EyeChoice::Both, 64, 48, views);
+  eyeViews(scene, Mode::Operator, {}, EyeChoice::Both, 64, 48, views);
   EXPECT_GT(views[0].view.tan_left, views[0].view.tan_right);
   EXPECT_EQ(views[0].view.tan_left, views[1].view.tan_right);
   EXPECT_EQ(views[0].view.tan_right, views[1].view.tan_left);
 }
 
 TEST(EyeViews, PixelsAreSquareWhateverThePicturesShape) {
-  TestScene scene;
+  SeenScene scene;
   std::vector<EyeView> views;
   for (const auto& [width, height] : {std::pair{640, 480}, {1280, 1440}, {100, 300}}) {
-    eyeViews(scene, {}, EyeChoice::Both, width, height, views);
+    eyeViews(scene, Mode::Operator, {}, EyeChoice::Both, width, height, views);
     for (const EyeView& eye : views)
       EXPECT_NEAR((eye.view.tan_left + eye.view.tan_right) / width,
                   (eye.view.tan_down + eye.view.tan_up) / height, 1e-12);
@@ -108,7 +108,7 @@ Coord3 position(const Marker& marker) {
   return marker.distance * Coord3{marker.right, marker.up, -1.0};
 }
 
-void addMarkers(TestScene& scene) {
+void addMarkers(SeenScene& scene) {
   const TransformMatrix t_world_head = scene.human().eye(Eye::Mono).globalTransform();
   for (const Marker& marker : kMarkers) {
     const double radius = kAngularRadius * marker.distance;
@@ -141,12 +141,12 @@ void expectMarker(const Marker& marker, const std::vector<EyeView>& views, const
 }
 
 void expectMarkersInBothEyes(const Head& head, int width, int height) {
-  TestScene scene;
+  SeenScene scene;
   pose(scene, head);
   addMarkers(scene);
   std::vector<EyeView> views;
-  eyeViews(scene, {}, EyeChoice::Both, width, height, views);
-  Renderer renderer(scene, 2 * width, height, {.samples = 4});
+  eyeViews(scene, Mode::Operator, {}, EyeChoice::Both, width, height, views);
+  Renderer renderer(scene, scene.illumination(), 2 * width, height, {.samples = 4});
   ASSERT_EQ(renderer.samples(), 4);
   const Image image = picture(renderer, views);
   for (const Marker& marker : kMarkers) expectMarker(marker, views, image);
@@ -161,7 +161,7 @@ TEST_F(Stereo, MarkersAreWhereGeometryPutsThemAt1280x1440) {
 }
 
 TEST_F(Stereo, AnEyeAloneSeesWhatItSeesBesideTheOther) {
-  TestScene scene;
+  SeenScene scene;
   pose(scene, kHeads[1]);
   addMarkers(scene);
   scene.setAmbient({0.2, 0.3, 0.4}, {0.1, 0.1, 0.1});
@@ -173,8 +173,8 @@ TEST_F(Stereo, AnEyeAloneSeesWhatItSeesBesideTheOther) {
   constexpr int kHeight = 150;
   const auto seenBy = [&](EyeChoice choice) {
     std::vector<EyeView> views;
-    eyeViews(scene, {}, choice, kWidth, kHeight, views);
-    Renderer renderer(scene, kWidth * eyeCount(choice), kHeight);
+    eyeViews(scene, Mode::Operator, {}, choice, kWidth, kHeight, views);
+    Renderer renderer(scene, scene.illumination(), kWidth * eyeCount(choice), kHeight);
     return picture(renderer, views);
   };
   const Image both = seenBy(EyeChoice::Both);
@@ -186,11 +186,11 @@ TEST_F(Stereo, AnEyeAloneSeesWhatItSeesBesideTheOther) {
 }
 
 TEST_F(Stereo, EdgesAreAveragedInLinearLight) {
-  TestScene scene;
+  SeenScene scene;
   addMarkers(scene);
   std::vector<EyeView> views;
-  eyeViews(scene, {}, EyeChoice::Mono, 640, 480, views);
-  Renderer renderer(scene, 640, 480, {.samples = 4});
+  eyeViews(scene, Mode::Operator, {}, EyeChoice::Mono, 640, 480, views);
+  Renderer renderer(scene, scene.illumination(), 640, 480, {.samples = 4});
   const Image image = picture(renderer, views);
   int most = 0;
   for (std::size_t i = Red; i < image.rgb.size(); i += 3) most = std::max<int>(most, image.rgb[i]);

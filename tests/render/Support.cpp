@@ -31,23 +31,36 @@ void DrawingTest::SetUp() {
   display();
 }
 
-TestScene::TestScene(const Rig& rig) : Scene("test", rig, HumanShown::None) {
-  setAmbient({}, {});
+namespace {
+
+SceneDescription eyesOnly() {
+  SceneDescription description;
+  description.name = "test";
+  description.operator_shown = false;
+  description.driving = false;
+  return description;
 }
+
+}  // namespace
+
+SeenScene::SeenScene(const Rig& rig) : Filled<Scene>(eyesOnly(), rig) {}
 
 EyeView lookingAhead(const Coord3& at, int width, int height, double tangent) {
   const double up = tangent * height / width;
-  return {TransformMatrix::translation(at), {tangent, tangent, up, up}, 0.01, 0, 0, width, height};
+  const TransformMatrix t_world_vehicle = TransformMatrix::translation(at - Coord3{0.0, 1.0, 0.0});
+  return {TransformMatrix::translation(at),
+          {tangent, tangent, up, up},
+          0.01,
+          0,
+          0,
+          width,
+          height,
+          t_world_vehicle};
 }
 
 Image picture(Renderer& renderer, std::span<const EyeView> views) {
   renderer.draw(views);
   return renderer.readImage();
-}
-
-Image picture(const Scene& scene, const EyeView& view, const RendererSettings& settings) {
-  Renderer renderer(scene, view.width, view.height, settings);
-  return picture(renderer, {&view, 1});
 }
 
 int value(const Image& image, int x, int y, Channel channel) {

@@ -25,12 +25,15 @@ class DrawingTest : public testing::Test {
   static Display& display();
 };
 
-/// Black, without light and without the operator; objects are added one by one and live as long as the scene.
-class TestScene : public Scene {
+/// Something to draw: black, without light; objects are added one by one and live as long as it does.
+template <class Root>
+class Filled : public Root {
  public:
-  explicit TestScene(const Rig& rig = {});
-  using Scene::addLight;
-  using Scene::setAmbient;
+  using Root::Root;
+
+  void setAmbient(const Coord3& sky, const Coord3& ground) { illumination_.ambient = {sky, ground}; }
+  void addLight(const Light& lamp) { illumination_.lamps.push_back(lamp); }
+  const Illumination& illumination() const { return illumination_; }
 
   template <class Kind, class... Arguments>
   Kind& add(const Coord3& at, const Material& material, Arguments&&... arguments) {
@@ -38,13 +41,28 @@ class TestScene : public Scene {
     Kind& object = *made;
     object.setMaterial(material);
     object.setPosition(at);
-    addMember(&object);
+    this->addMember(&object);
     objects_.push_back(std::move(made));
+    return object;
+  }
+  template <class Kind, class... Arguments>
+  Kind& addMoving(const Coord3& at, const Material& material, Arguments&&... arguments) {
+    Kind& object = add<Kind>(at, material, std::forward<Arguments>(arguments)...);
+    object.attach(Moving{});
     return object;
   }
 
  private:
+  Illumination illumination_{{}, {{}, {}}};
   std::vector<std::unique_ptr<VRObject>> objects_;
+};
+
+using TestScene = Filled<VRObject>;
+
+/// With somebody to look at it: a pair of eyes and nothing else.
+class SeenScene : public Filled<Scene> {
+ public:
+  explicit SeenScene(const Rig& rig = {});
 };
 
 /// Shines by itself, evenly, whatever the light.
@@ -59,11 +77,15 @@ inline const Material kGreen = glow(0.0, 1.0, 0.0);
 inline const Material kBlue = glow(0.0, 0.0, 1.0);
 
 /// An eye at `at`, upright, with a symmetric view of `tangent` to the left and right, on the whole of a
-/// picture.
+/// picture; its vehicle stands 1 m below it.
 EyeView lookingAhead(const Coord3& at, int width, int height, double tangent = 1.0);
 
 Image picture(Renderer& renderer, std::span<const EyeView> views);
-Image picture(const Scene& scene, const EyeView& view, const RendererSettings& settings = {});
+template <class Root>
+Image picture(const Filled<Root>& scene, const EyeView& view, const RendererSettings& settings = {}) {
+  Renderer renderer(scene, scene.illumination(), view.width, view.height, settings);
+  return picture(renderer, {&view, 1});
+}
 
 enum Channel { Red = 0, Green = 1, Blue = 2 };
 int value(const Image& image, int x, int y, Channel channel);

@@ -14,7 +14,7 @@ namespace {
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 
-void addBoxes(TestScene& scene) {
+void addBoxes(SeenScene& scene) {
   scene.setAmbient({0.3, 0.3, 0.4}, {0.1, 0.1, 0.1});
   scene.addLight({{0.5, 2.0, -1.0}, {1.0, 1.0, 1.0}, 3.0});
   scene.add<Box>({0.0, -0.6, -2.0}, matt(0.7, 0.7, 0.7), Coord3{4.0, 0.1, 4.0});
@@ -58,7 +58,7 @@ Image readScreen(const char* file, int width, int height) {
 
 TEST(Window, ShowsThePictureThatHeadlessDraws) {
   ASSERT_TRUE(anyEglDisplay());
-  TestScene scene;
+  SeenScene scene;
   addBoxes(scene);
   const EyeView view = lookingAhead({}, kWidth, kHeight);
   DisplayConfig config;
@@ -75,7 +75,7 @@ TEST(Window, ShowsThePictureThatHeadlessDraws) {
   EXPECT_TRUE(window->hasWindow());
   ASSERT_EQ(window->width(), kWidth);
   ASSERT_EQ(window->height(), kHeight);
-  Renderer renderer(scene, kWidth, kHeight);
+  Renderer renderer(scene, scene.illumination(), kWidth, kHeight);
   const char* screen = std::getenv("COHERENCY_SCREEN");
   ASSERT_NE(screen, nullptr) << "must name Xvfb's screen file";
   double differing = 1.0;
@@ -93,15 +93,15 @@ TEST(Window, ShowsThePictureThatHeadlessDraws) {
 }
 
 TEST(Window, NarrowerThanTwoEyesStillHasAPixelForEach) {
-  TestScene scene;
+  SeenScene scene;
   DisplayConfig config;
   config.width = 1;
   config.height = 1;
   const auto window = makeWindowDisplay(config);
   ASSERT_GE(window->width(), 2);
   std::vector<EyeView> views;
-  eyeViews(scene, {}, EyeChoice::Both, window->width() / 2, window->height(), views);
-  Renderer renderer(scene, window->width(), window->height());
+  eyeViews(scene, Mode::Operator, {}, EyeChoice::Both, window->width() / 2, window->height(), views);
+  Renderer renderer(scene, scene.illumination(), window->width(), window->height());
   renderer.draw(views);
   renderer.present(window->width(), window->height());
   window->present();

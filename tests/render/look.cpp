@@ -1,6 +1,7 @@
 // Draws one picture of a scene: for those who write scenes, and for those who want to see what a posture
 // looks like.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -8,9 +9,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/config/RigFile.h"
+#include "common/config/SceneFile.h"
 #include "common/math/FixedPoint.h"
 #include "common/motion/SampleGate.h"
 #include "common/world/Scene.h"
+#include "render_client/draw/EyeViews.h"
 #include "render_client/draw/Renderer.h"
 #include "render_client/present/Display.h"
 #include "render_client/present/Png.h"
@@ -28,6 +32,12 @@ struct Options {
   std::string size = "640x480";
   std::vector<double> head;
   std::vector<double> base;
+  std::vector<double> robot_base;
+  std::vector<double> doors;
+  bool robot_mode = false;
+  bool hold = false;
+  std::string scenes = "configs/scenes";
+  std::string rig;
   std::vector<double> camera;
   std::vector<std::string> set;
   double fov_deg = 90.0;
@@ -36,7 +46,7 @@ struct Options {
 };
 
 void addOptions(CLI::App& app, Options& o) {
-  app.add_option("scene", o.scene, "Scene's name")->required();
+  app.add_option("scene", o.scene, "Scene's name or TOML file")->required();
   app.add_option("picture", o.file, "PNG file to write")->required();
   app.add_option("--eye", o.eye, "Eye to look through; both: side by side")
       ->check(CLI::IsMember({"left", "right", "mono", "both"}))
@@ -52,12 +62,25 @@ void addOptions(CLI::App& app, Options& o) {
                  "x,z,heading of the operator's base (m, degrees; default: the scene's workplace)")
       ->delimiter(',')
       ->expected(3);
+  app.add_option("--robot-base", o.robot_base,
+                 "The same for the robot (default: its start; with --robot its workplace)")
+      ->delimiter(',')
+      ->expected(3);
+  app.add_flag("--robot", o.robot_mode, "Look through the robot's cameras");
+  app.add_flag("--hold", o.hold,
+               "The right hand holds the scene's first movable, best placed (robot's with --robot)");
+  app.add_option("--doors", o.doors, "How far each door is open, 0 to 1, in the scene's order")
+      ->delimiter(',');
+  app.add_option("--scenes", o.scenes, "Folder of the scenes that are called by name")->capture_default_str();
+  app.add_option("--rig", o.rig, "TOML file of the operator's measures (default: the default rig)");
   app.add_option("--set", o.set, "dof=value in SI units, such as grip=1; may be repeated");
   app.add_option("--camera", o.camera, "x,y,z,yaw,pitch in the world (m, degrees), in place of an eye")
       ->delimiter(',')
       ->expected(5);
   app.add_option("--samples", o.renderer.samples, "Antialiasing samples a pixel")->capture_default_str();
   app.add_option("--shadow-resolution", o.renderer.shadow_resolution, "Shadow map's texels a side")
+      ->capture_default_str();
+  app.add_option("--rays", o.renderer.bake.rays, "Rays a vertex for the light of what never moves")
       ->capture_default_str();
   app.add_flag("--no-shadows", o.no_shadows, "Draw without shadows");
 }
@@ -86,23 +109,50 @@ MotionSample makeSample(const Options& o, const Rig& rig) {
   return sample;
 }
 
-BasePose makeBase(const Options& o, const Scene& scene) {
-  if (o.base.empty()) return scene.workplace();
-  return {nanometresFromMetres(o.base[0]), 0, nanometresFromMetres(o.base[1]),
-          unitsFromRadians(o.base[2] * kDegree)};
+BasePose makeBase(const std::vector<double>& given, const BasePose& otherwise) {
+  return given.empty() ? otherwise : basePose(given[0], given[1], given[2] * kDegree);
+}
+
+/// As when the hand had closed upon it just where it should, faces along the hand's axes.
+void putInHand(const Options& o, const Scene& scene, WorldState& state) {
+  if (state.movables.empty()) throw std::invalid_argument("--hold: the scene has nothing to hold");
+  Movable& held = state.movables.front();
+  held.holder = o.robot_mode ? Holder::RobotHand : Holder::OperatorHand;
+  const Coord3 at = scene.world().hand(held.holder).graspPoint();
+  held.x_nm = nanometresFromMetres(at.x);
+  held.y_nm = nanometresFromMetres(at.y);
+  held.z_nm = nanometresFromMetres(at.z);
+  setAttitude(held, quaternion(TransformMatrix{}));
+}
+
+WorldState makeState(const Options& o, const Scene& scene) {
+  WorldState state = scene.initialState();
+  state.mode = o.robot_mode ? Mode::Robot : Mode::Operator;
+  const SceneDescription& description = scene.description();
+  state.master.base = makeBase(o.base, o.robot_mode ? description.start : description.workplace);
+  if (!scene.world().has(state.mode)) throw std::invalid_argument("--robot: the scene has no robot");
+  if (description.robot)
+    state.robot.base =
+        makeBase(o.robot_base, o.robot_mode ? description.robot->workplace : description.robot->start);
+  for (std::size_t i = 0; i < o.doors.size() && i < state.doors.size(); ++i)
+    state.doors[i] = unitsFromRatio(std::clamp(o.doors[i], 0.0, 1.0));
+  if (o.hold) putInHand(o, scene, state);
+  return state;
 }
 
 std::vector<EyeView> makeViews(const Options& o, const Scene& scene, int width, int height) {
   const double tan_h = std::tan(0.5 * o.fov_deg * kDegree);
   const double tan_v = tan_h * height / width;
   const FieldOfView view{tan_h, tan_h, tan_v, tan_v};
+  const Mode mode = o.robot_mode ? Mode::Robot : Mode::Operator;
   const auto through = [&](Eye eye, int x) {
-    return EyeView{scene.human().eye(eye).globalTransform(), view, 0.01, x, 0, width, height};
+    return EyeView{
+        scene.eye(eye, mode).globalTransform(), view, 0.01, x, 0, width, height, vehicle(scene, mode)};
   };
   if (!o.camera.empty()) {
     const TransformMatrix at = TransformMatrix::translation({o.camera[0], o.camera[1], o.camera[2]}) *
                                rotation(YawPitchRoll{o.camera[3] * kDegree, o.camera[4] * kDegree, 0.0});
-    return {EyeView{at, view, 0.01, 0, 0, width, height}};
+    return {EyeView{at, view, 0.01, 0, 0, width, height, vehicle(scene, mode)}};
   }
   if (o.eye == "both") return {through(Eye::Left, 0), through(Eye::Right, width)};
   return {through(o.eye == "left" ? Eye::Left : (o.eye == "right" ? Eye::Right : Eye::Mono), 0)};
@@ -114,10 +164,9 @@ void look(Options& o) {
   if (std::sscanf(o.size.c_str(), "%dx%d%c", &config.width, &config.height, &rest) != 2 || config.width < 1 ||
       config.height < 1)
     throw std::invalid_argument("--size " + o.size + ": must be WIDTHxHEIGHT, such as 640x480");
-  const Rig rig;
-  const std::unique_ptr<Scene> scene = makeScene(o.scene, rig);
-  WorldState state;
-  state.base = makeBase(o, *scene);
+  const Rig rig = o.rig.empty() ? Rig{} : readRig(o.rig);
+  const auto scene = std::make_unique<Scene>(readScene(o.scene, o.scenes), rig);
+  const WorldState state = makeState(o, *scene);
   scene->apply(state, makeSample(o, rig));
 
   const std::unique_ptr<Display> display = makeHeadlessDisplay(config);
@@ -126,9 +175,9 @@ void look(Options& o) {
   Renderer renderer(*scene, config.width * static_cast<int>(views.size()), config.height, o.renderer);
   renderer.draw(views);
   writePng(o.file, renderer.readImage(), {{"scene", o.scene}, {"renderer", renderer.rendererName()}});
-  std::printf("%s: %zu objects, %zu polygons, %zu triangles, %d samples, %s\n", o.file.c_str(),
-              renderer.objectCount(), scene->polygonCount(), renderer.triangleCount(), renderer.samples(),
-              renderer.rendererName().c_str());
+  std::printf("%s: %zu objects, %zu polygons, %zu triangles, %zu vertices, %d samples, %s\n", o.file.c_str(),
+              renderer.objectCount(), scene->polygonCount(), renderer.triangleCount(), renderer.vertexCount(),
+              renderer.samples(), renderer.rendererName().c_str());
 }
 
 }  // namespace

@@ -27,23 +27,38 @@ class Pusher final : public Master {
   double head_y = 1.2;
 };
 
-AuthorityConfig config() {
-  AuthorityConfig c;
-  c.start.x_nm = 5;
-  c.start.heading_units = unitsFromRadians(0.0);
-  return c;
+WorldModel model() {
+  WorldModel m;
+  m.master.start.x_nm = 5;
+  m.robot.emplace();
+  return m;
 }
+
+/// An authority over a plane with a robot on it.
+struct Ruled {
+  explicit Ruled(Master& master, DofMask dofs = kAllDofs)
+      : world(model()), authority(config(dofs), world, master) {}
+  AuthorityConfig config(DofMask dofs) const {
+    AuthorityConfig c;
+    c.start = world.initialState();
+    c.dofs = dofs;
+    return c;
+  }
+  World world;
+  Authority authority;
+};
 
 TEST(Authority, NumbersSamplesAndStepsTheWorldFromItsStart) {
   Pusher master;
-  Authority authority(config(), Rig{}, master);
+  Ruled ruled(master);
+  Authority& authority = ruled.authority;
   const auto first = authority.sample(1'000'000, 42, 1);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->sample.sequence, 1u);
   EXPECT_EQ(first->sample.server_time_ns, 42);
   EXPECT_EQ(first->sample.device_time_us, 1000);
   EXPECT_EQ(first->world.tick, 1u);
-  EXPECT_EQ(first->world.base.x_nm, 5);
+  EXPECT_EQ(first->world.master.base.x_nm, 5);
   EXPECT_EQ(master.seen.tick, 0u) << "the master saw the world before the step";
   EXPECT_EQ(authority.sample(2'000'000, 43, 1)->sample.sequence, 2u);
   EXPECT_EQ(master.seen, first->world);
@@ -51,8 +66,9 @@ TEST(Authority, NumbersSamplesAndStepsTheWorldFromItsStart) {
 
 RC_GTEST_PROP(Authority, TickIsElapsedPeriodsWhateverWasMissed, ()) {
   Pusher missing_master, steady_master;
-  Authority missing(config(), Rig{}, missing_master);
-  Authority steady(config(), Rig{}, steady_master);
+  Ruled missing_ruled(missing_master), steady_ruled(steady_master);
+  Authority& missing = missing_ruled.authority;
+  Authority& steady = steady_ruled.authority;
   std::uint64_t tick = 0;
   for (int i = 0; i < 20; ++i) {
     const auto elapsed = *rc::gen::inRange<std::uint64_t>(1, 9);
@@ -62,22 +78,53 @@ RC_GTEST_PROP(Authority, TickIsElapsedPeriodsWhateverWasMissed, ()) {
     RC_ASSERT(result->sample.sequence == static_cast<std::uint64_t>(i + 1));
   }
   for (std::uint64_t k = 1; k <= tick; ++k) steady.sample(static_cast<std::int64_t>(k) * 1'000'000, 0, 1);
-  RC_ASSERT(missing.world() == steady.world());
+  RC_ASSERT(missing.state() == steady.state());
 }
 
 TEST(Authority, SaysWhenTheMasterHasEndedAndChangesNothing) {
   Pusher master;
-  Authority authority(config(), Rig{}, master);
+  Ruled ruled(master);
+  Authority& authority = ruled.authority;
   authority.sample(1'000'000, 0, 1);
-  const WorldState before = authority.world();
+  const WorldState before = authority.state();
   master.ended = true;
   EXPECT_FALSE(authority.sample(2'000'000, 0, 1));
-  EXPECT_EQ(authority.world(), before);
+  EXPECT_EQ(authority.state(), before);
+}
+
+TEST(Authority, DofsThatASceneDoesNotNeedAreNeverValid) {
+  Pusher master;
+  Ruled ruled(master, mask(Dof::HeadY));
+  const auto result = ruled.authority.sample(1'000'000, 0, 1);
+  EXPECT_EQ(result->sample.valid, mask(Dof::HeadY));
+  EXPECT_EQ(result->sample.units[index(Dof::StickY)], 0);
+  EXPECT_EQ(result->world.master.velocity_ahead_um, 0) << "and drive nothing";
+}
+
+TEST(Authority, SwitchesModesBetweenTwoSamples) {
+  Pusher master;
+  Ruled ruled(master);
+  const auto before = ruled.authority.sample(1'000'000, 0, 1);
+  EXPECT_TRUE(ruled.authority.switchTo(Mode::Robot));
+  const auto after = ruled.authority.sample(2'000'000, 0, 1);
+  EXPECT_EQ(before->world.mode, Mode::Operator);
+  EXPECT_EQ(after->world.mode, Mode::Robot);
+  EXPECT_EQ(before->sample.units, after->sample.units) << "without a jump in posture";
+  EXPECT_GT(after->world.robot.velocity_ahead_um, 0);
+}
+
+TEST(Authority, PassesOverAModeThereIsNot) {
+  Pusher master;
+  const World world{WorldModel{}};
+  Authority authority({world.initialState()}, world, master);
+  EXPECT_FALSE(authority.switchTo(Mode::Robot));
+  EXPECT_EQ(authority.sample(1'000'000, 0, 1)->world.mode, Mode::Operator);
 }
 
 TEST(Authority, BadReadingsAreRefusedAndCounted) {
   Pusher master;
-  Authority authority(config(), Rig{}, master);
+  Ruled ruled(master);
+  Authority& authority = ruled.authority;
   authority.sample(1'000'000, 0, 1);
   master.head_y = std::numeric_limits<double>::quiet_NaN();
   const auto result = authority.sample(2'000'000, 0, 1);

@@ -35,6 +35,8 @@ RC_GTEST_PROP(ControlCodec, EverythingComesBackAsItWas, ()) {
   const SessionConfig session = arbitrary::session();
   const ClientReport report = arbitrary::report();
   const Goodbye goodbye = arbitrary::goodbye();
+  const ModeRequest request = arbitrary::modeRequest();
+  RC_ASSERT(std::get<ModeRequest>(decodeControl(body(request))) == request);
   RC_ASSERT(std::get<Hello>(decodeControl(body(hello))) == hello);
   RC_ASSERT(arbitrary::same(std::get<SessionConfig>(decodeControl(body(session))), session));
   RC_ASSERT(std::get<ClientReport>(decodeControl(body(report))) == report);
@@ -49,8 +51,9 @@ TEST(ControlCodec, TheLargestReportFitsAMessage) {
 }
 
 RC_GTEST_PROP(ControlCodec, DamageNeverYieldsWhatCannotBe, ()) {
-  const std::array<Bytes, 4> messages{body(arbitrary::hello()), body(arbitrary::session()),
-                                      body(arbitrary::report()), body(arbitrary::goodbye())};
+  const std::array<Bytes, 5> messages{body(arbitrary::hello()), body(arbitrary::session()),
+                                      body(arbitrary::report()), body(arbitrary::goodbye()),
+                                      body(arbitrary::modeRequest())};
   for (const Bytes& good : messages) {
     for (std::size_t i = 0; i < good.size(); ++i) {
       RC_ASSERT(isRejectedOrValid(decodeControl(std::span(good).first(i))));
@@ -75,8 +78,8 @@ TEST(ControlCodec, AnotherMajorVersionIsToldApart) {
   const auto decoded = std::get<Hello>(decodeControl(body(hello)));
   EXPECT_EQ(decoded.major, kWireMajor + 1);
   EXPECT_EQ(decoded.minor, 7U);
-  // A Welcome of version 2, by hand: field 2 of the message, of which field 1 is 2.
-  const Bytes welcome{std::byte{0x12}, std::byte{0x02}, std::byte{0x08}, std::byte{0x02}};
+  // A Welcome of the next version, by hand: field 2 of the message, of which field 1 is its number.
+  const Bytes welcome{std::byte{0x12}, std::byte{0x02}, std::byte{0x08}, std::byte{kWireMajor + 1}};
   EXPECT_EQ(std::get<Reject>(decodeControl(welcome)), Reject::Version);
 }
 

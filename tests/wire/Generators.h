@@ -7,6 +7,7 @@
 #include "common/math/FixedPoint.h"
 #include "common/wire/Packets.h"
 #include "common/wire/Validity.h"
+#include "tests/world/Generators.h"
 
 /// Arbitrary valid values of everything that travels.
 namespace coherency::arbitrary {
@@ -41,22 +42,11 @@ inline MotionSample sample(std::uint64_t sequence) {
   return s;
 }
 
-inline WorldState world() {
-  WorldState w;
-  w.tick = *rc::gen::arbitrary<std::uint64_t>();
-  const auto coordinate = rc::gen::inRange<std::int64_t>(-kMaxBaseNm, kMaxBaseNm + 1);
-  w.base = {*coordinate, *coordinate, *coordinate, *rc::gen::arbitrary<std::int32_t>()};
-  w.velocity_right_um = *rc::gen::arbitrary<std::int32_t>();
-  w.velocity_ahead_um = *rc::gen::arbitrary<std::int32_t>();
-  w.turn_rate_units = *rc::gen::arbitrary<std::int32_t>();
-  return w;
-}
-
 inline MotionPacket motion() {
   MotionPacket p;
   p.session_id = id();
   p.hash = *rc::gen::arbitrary<std::uint64_t>();
-  p.world = world();
+  p.world = random::state();
   const auto previous = *rc::gen::inRange<std::uint64_t>(0, kMaxPrevious + 1);
   const auto sequence = *rc::gen::inRange<std::uint64_t>(kMaxPrevious + 1, std::uint64_t{1} << 62);
   p.sample = sample(sequence);
@@ -78,13 +68,27 @@ inline Hello hello() {
   return {kWireMajor, *rc::gen::arbitrary<std::uint32_t>(), *eye, text()};
 }
 
+inline SceneDescription scene() {
+  SceneDescription s;
+  s.name =
+      *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::elementOf(std::string("abzAZ09_-.:"))));
+  s.operator_shown = *rc::gen::arbitrary<bool>();
+  s.driving = *rc::gen::arbitrary<bool>();
+  s.start = random::base();
+  s.workplace = random::base();
+  if (*rc::gen::arbitrary<bool>()) s.robot = {random::base(), random::base()};
+  const int objects = *rc::gen::inRange(0, 6);
+  for (int i = 0; i < objects; ++i)
+    s.objects.push_back({text(), text(), random::base(), text(), *rc::gen::inRange(0, kMaxObjectCount + 1)});
+  return s;
+}
+
 inline SessionConfig session() {
   SessionConfig s;
   s.session_id = id();
   s.client_id = *rc::gen::nonZero<std::uint32_t>();
   s.client_token = *rc::gen::arbitrary<std::uint64_t>();
-  s.scene =
-      *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::elementOf(std::string("abzAZ09_-.:"))));
+  s.scene = scene();
   s.rig.name = text();
   for (const RigField& field : rigFields()) {
     s.rig.*(field.value) = field.min + *rc::gen::inRange(0, 1001) * 1e-3 * (field.max - field.min);
@@ -105,6 +109,17 @@ inline ClientReport report() {
 
 inline Goodbye goodbye() {
   return {text(), static_cast<GoodbyeCause>(*rc::gen::inRange(0, 4))};
+}
+
+inline ModeRequest modeRequest() {
+  return {*rc::gen::element(Mode::Operator, Mode::Robot)};
+}
+
+/// Equal but for the oldest previous samples, which may have had no room.
+inline bool same(const MotionPacket& decoded, MotionPacket sent) {
+  if (decoded.previous.size() > sent.previous.size()) return false;
+  sent.previous.resize(decoded.previous.size());
+  return decoded == sent;
 }
 
 inline bool same(const SessionConfig& a, const SessionConfig& b) {

@@ -23,7 +23,25 @@ inline MotionPacket motion() {
   MotionPacket p;
   p.session_id = 0x1122334455667788;
   p.sample = sample(1002);
-  p.world = {1002, {1'234'567'890'123, 0, -987'654'321, -1'000'000}, 250'000, -800'000, 65'536};
+  p.world = {1002,
+             Mode::Robot,
+             {{1'234'567'890'123, 0, -987'654'321, -1'000'000}, 250'000, -800'000, 65'536},
+             {{-5'000'000, 7, 9, 1 << 30}, 1, -2, 3},
+             2,
+             {},
+             {},
+             {17, 0, 1, false}};
+  p.world.movables.push_back({Holder::RobotHand,
+                              1'000'000,
+                              -2'000'000,
+                              3'000'000,
+                              {1 << 29, 1 << 29, 1 << 29, 1 << 29},
+                              0,
+                              false,
+                              5});
+  p.world.movables.push_back(
+      {Holder::Nobody, 123'456'789, 747'500'000, -987'654'321, {0, 0, 0, 1 << 30}, 9807, true, 0});
+  p.world.doors = {0, kDoorOpen / 2};
   p.hash = 0xa1b2c3d4e5f60718;
   p.previous = {sample(1001), sample(1000)};
   return p;
@@ -36,7 +54,7 @@ inline ClockReply reply() {
   return {0x1122334455667788, 123'456'789'012, 5'000'000'000, 5'000'012'345};
 }
 inline Hello hello() {
-  return {1, 0, "left", "coherency render_client"};
+  return {2, 0, "left", "coherency render_client"};
 }
 
 inline SessionConfig session() {
@@ -44,7 +62,13 @@ inline SessionConfig session() {
   s.session_id = 0x1122334455667788;
   s.client_id = 7;
   s.client_token = 0x99aabbccddeeff00;
-  s.scene = "laboratory";
+  s.scene.name = "laboratory";
+  s.scene.start = {0, 0, 1'250'000'000, 0};
+  s.scene.workplace = {0, 0, -440'000'000, 0};
+  s.scene.robot = {{-2'000'000'000, 0, -1'980'000'000, -(1 << 30)}, {0, 0, -1'980'000'000, INT32_MIN}};
+  s.scene.objects = {{"table", "table", {0, 0, -1'200'000'000, 0}, "", 0},
+                     {"block", "red block", {-20'000'000, 747'500'000, -990'000'000, 1 << 27}, "#c8433a", 0},
+                     {"grid", "grid", {}, "", 1000}};
   // Every measure by its value: the default operator may grow, the golden one must not.
   s.rig = {.name = "default",
            .eye_distance = 0.064,
@@ -64,7 +88,8 @@ inline SessionConfig session() {
            .hip_half_width = 0.09,
            .thigh = 0.43,
            .shin = 0.42,
-           .foot = 0.25};
+           .foot = 0.25,
+           .robot_scale = 1.0};
   s.period_ns = 1'000'000;
   s.udp_port = 7430;
   return s;
@@ -75,6 +100,9 @@ inline ClientReport report() {
 }
 inline Goodbye goodbye() {
   return {"the server ends", GoodbyeCause::Leaving};
+}
+inline ModeRequest modeRequest() {
+  return {Mode::Robot};
 }
 inline Goodbye refusal() {
   return {"another version", GoodbyeCause::Version};

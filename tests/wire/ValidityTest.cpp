@@ -24,7 +24,7 @@ MotionSample goodSample() {
 SessionConfig goodSession() {
   SessionConfig session;
   session.session_id = session.client_id = 1;
-  session.scene = "laboratory";
+  session.scene.name = "laboratory";
   session.udp_port = kDefaultPort;
   return session;
 }
@@ -83,9 +83,9 @@ TEST(Validity, PreviousSamplesComeInFallingOrder) {
 
 TEST(Validity, TheBaseStaysWithinReach) {
   WorldState world;
-  world.base.z_nm = -kMaxBaseNm;
+  world.robot.base.z_nm = -kWorldLimitNm;
   EXPECT_TRUE(isValid(world));
-  world.base.z_nm = std::numeric_limits<std::int64_t>::min();
+  world.robot.base.z_nm = std::numeric_limits<std::int64_t>::min();
   EXPECT_FALSE(isValid(world));
 }
 
@@ -94,7 +94,7 @@ TEST(Validity, ASessionNamesAPossibleSceneRigAndPeriod) {
   for (const std::string& scene : {std::string(), std::string("../etc/passwd"), std::string("a b"),
                                    std::string("\x1b[2J"), std::string(kMaxText + 1, 'a')}) {
     SessionConfig session = goodSession();
-    session.scene = scene;
+    session.scene.name = scene;
     EXPECT_FALSE(isValid(session)) << scene;
   }
   for (const std::int64_t period : {std::int64_t{0}, std::int64_t{-1}, kMinPeriodNs - 1, kMaxPeriodNs + 1}) {
@@ -109,6 +109,26 @@ TEST(Validity, ASessionNamesAPossibleSceneRigAndPeriod) {
       EXPECT_FALSE(isValid(session)) << field.name << " = " << wrong;
     }
   }
+}
+
+TEST(Validity, ASceneNamesPossibleObjects) {
+  const auto valid = [](auto change) {
+    SceneDescription scene;
+    scene.name = "laboratory";
+    scene.robot.emplace();
+    scene.objects.push_back({"block", "red block", {1, 2, 3, 4}, "#ff0000", 0});
+    change(scene);
+    return isValid(scene);
+  };
+  EXPECT_TRUE(valid([](auto&) {}));
+  EXPECT_FALSE(valid([](auto& s) { s.objects[0].name = "\x1b[2J"; }));
+  EXPECT_FALSE(valid([](auto& s) { s.objects[0].kind = "two\nlines"; }));
+  EXPECT_FALSE(valid([](auto& s) { s.objects[0].place.y_nm = kWorldLimitNm + 1; }));
+  EXPECT_FALSE(valid([](auto& s) { s.objects[0].count = -1; }));
+  EXPECT_FALSE(valid([](auto& s) { s.objects[0].count = kMaxObjectCount + 1; }));
+  EXPECT_FALSE(valid([](auto& s) { s.objects.resize(kMaxSceneObjects + 1, s.objects[0]); }));
+  EXPECT_FALSE(valid([](auto& s) { s.workplace.x_nm = -kWorldLimitNm - 1; }));
+  EXPECT_FALSE(valid([](auto& s) { s.robot->start.z_nm = kWorldLimitNm + 1; }));
 }
 
 TEST(Validity, TextsAreSafeToShow) {

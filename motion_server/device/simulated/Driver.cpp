@@ -45,7 +45,7 @@ Way wayTo(const DriveGoal& goal, const BasePose& base) {
 }
 
 double speed(const WorldState& world) {
-  return std::hypot(world.velocity_right_um, world.velocity_ahead_um) * kMicrometre;
+  return std::hypot(world.driven().velocity_right_um, world.driven().velocity_ahead_um) * kMicrometre;
 }
 
 double saturated(double stick) {
@@ -65,7 +65,7 @@ struct Driver::Command {
 
 Driver::Command Driver::command(const WorldState& world) const {
   if (!goal_ || arrived(world)) return {};
-  const Way way = wayTo(*goal_, world.base);
+  const Way way = wayTo(*goal_, world.driven().base);
   // Behind and near: one drives backwards; otherwise one first turns, then goes.
   const double far = minimumJerk((way.distance - kNear) / (kFar - kNear));
   const double turn = way.turn + far * wrapped(way.turn_there - way.turn);
@@ -82,14 +82,14 @@ Driver::Command Driver::command(const WorldState& world) const {
 
 bool Driver::arrived(const WorldState& world) const {
   if (!goal_) return true;
-  const Way way = wayTo(*goal_, world.base);
+  const Way way = wayTo(*goal_, world.driven().base);
   return way.distance < kPlaceReached && std::abs(way.turn) < kHeadingReached && speed(world) < kAtRest &&
-         std::abs(world.turn_rate_units * kAngleUnit) < kAtRest;
+         std::abs(world.driven().turn_rate_units * kAngleUnit) < kAtRest;
 }
 
 void Driver::answerAcceleration(const WorldState& world, double dt_s) {
-  speed_ahead_.follow(world.velocity_ahead_um * kMicrometre, dt_s);
-  speed_right_.follow(world.velocity_right_um * kMicrometre, dt_s);
+  speed_ahead_.follow(world.driven().velocity_ahead_um * kMicrometre, dt_s);
+  speed_right_.follow(world.driven().velocity_right_um * kMicrometre, dt_s);
   lean_forward_.follow(-kLeanPerAcceleration * speed_ahead_.rate(), dt_s);
   lean_right_.follow(-kLeanPerAcceleration * speed_right_.rate(), dt_s);
 }

@@ -1,6 +1,8 @@
 #include "motion_server/device/simulated/Operator.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/math/FixedPoint.h"
 
@@ -12,22 +14,33 @@ constexpr double kSteeringStep = 0.05;  // s
 constexpr double kLongestDrive = 25.0;  // s; then something is in the way
 constexpr double kOpenGrip = 0.04;
 constexpr double kHoldingGrip = 0.72;
-constexpr double kGraspWidth = 0.03;    // m, how exactly a grasp is aimed
-constexpr double kTransitWidth = 0.06;  // and what lies on the way
-constexpr double kFixation = 0.35;      // s, the shortest look
+constexpr double kGraspWidth = 0.02;               // m, how exactly a grasp or a placing is aimed
+constexpr double kTransitWidth = 0.06;             // and what lies on the way
+constexpr double kLift = 0.10;                     // m, above what is taken or put down
+constexpr double kLetGoAbove = 0.003;              // m, a block is let go over what it is put on
+constexpr double kReach = 0.95;                    // m from the base, of somebody who leans
+constexpr Coord3 kComfortable{0.12, 0.75, -0.65};  // m, body: where the right hand works best
+constexpr double kFixation = 0.35;                 // s, the shortest look
 
 }  // namespace
 
 Operator::Operator(const OperatorTask& task, const Rig& rig, std::uint64_t seed)
-    : task_(task), chance_(seed), arm_(rig) {
-  world_.base = task.start;
+    : task_(task), chance_(seed), arm_(rig), workplan_(task.edges) {
   next_act_at_ = chance_.between(0.3, 0.8);
 }
 
-void Operator::advance(double time_s, const WorldState& world) {
+void Operator::advance(double time_s, const WorldState& world, const TransformMatrix& felt) {
+  if (!begun_) workplan_.remember(world);
+  if (begun_ && world.mode != world_.mode) {  // somebody else now: whatever was planned is of no use
+    agenda_.clear();
+    driver_.letGo();
+    gave_up_ = false;
+  }
+  begun_ = true;
   driver_.update(world, std::fmax(0.0, time_s - now_));
   now_ = time_s;
   world_ = world;
+  felt_ = felt;
   while (time_s >= next_act_at_) {
     if (agenda_.empty()) planNext();
     const Act act = std::move(agenda_.front());
@@ -42,14 +55,29 @@ void Operator::planNext() {
     planGlance();
     planGlance();
   } else if (!atWorkplace() && !gave_up_) {
-    planDrive(driveGoal(task_.workplace));
-  } else if (cycles_left_ == 0) {
-    cycles_left_ = 3 + static_cast<int>(chance_.below(4));
+    planDrive(driveGoal(workplace()));
+  } else if (pieces_left_ == 0) {
+    pieces_left_ = 4 + static_cast<int>(chance_.below(5));
     planExcursion();
   } else {
-    --cycles_left_;
-    if (!task_.targets.empty()) planPickAndPlace();
-    if (task_.targets.empty() || chance_.happens(0.4)) planGlance();
+    --pieces_left_;
+    planWork();
+  }
+}
+
+void Operator::planWork() {
+  if (world_.task.towers > towers_seen_) {
+    towers_seen_ = world_.task.towers;
+    return planPride();
+  }
+  const Embodied me = body();
+  const auto transfer =
+      workplan_.next(world_, me.toWorld({}), kReach * me.scale, me.toWorld(kComfortable), chance_);
+  if (transfer) {
+    planTransfer(*transfer);
+  } else {
+    if (!task_.targets.empty()) planTouch();
+    planGlance();
   }
 }
 
@@ -79,58 +107,124 @@ double Operator::steer(double time_s) {
 }
 
 void Operator::lookWhereDriving(double time_s) {
-  const DriveGoal here = driveGoal(world_.base);
+  const Embodied me = body();
+  const DriveGoal here = driveGoal(me.base);
   const double distance = std::hypot(goal_.x - here.x, goal_.z - here.z);
-  const Coord3 goal = toBody({goal_.x, metresFromNanometres(world_.base.y_nm) + 0.8, goal_.z});
+  const Coord3 goal = me.toBody({goal_.x, metresFromNanometres(me.base.y_nm) + 0.8, goal_.z});
   const Coord3 ahead{chance_.between(-0.4, 0.4), 0.7, -2.5};
   next_glance_at_ = time_s + lookAt(distance > 0.8 ? goal : ahead, time_s) + chance_.between(0.3, 0.9);
 }
 
 void Operator::planExcursion() {
-  DriveGoal aside = driveGoal(task_.workplace);
+  DriveGoal aside = driveGoal(workplace());
   const double back = chance_.between(0.4, 0.8);
   aside.x += back * std::sin(aside.heading);
   aside.z += back * std::cos(aside.heading);
   aside.heading += chance_.between(-0.4, 0.4);
   planDrive(aside);
   planGlance();
-  planDrive(driveGoal(task_.workplace));
+  planDrive(driveGoal(workplace()));
 }
 
-void Operator::planPickAndPlace() {
-  const std::size_t count = task_.targets.size();
-  const std::size_t from = held_ < count ? held_ : 0;
-  const std::size_t to = count > 1 ? (from + 1 + chance_.below(count - 1)) % count : from;
-  held_ = chance_.happens(0.5) ? to : chance_.below(count);
-  const Coord3 pick = task_.targets[from];
-  const Coord3 place = task_.targets[to];
+void Operator::look(const Coord3& point_world) {
   // The gaze gets there first: the hand starts 150 to 300 ms later.
-  const auto look = [this](const Coord3& target) {
-    agenda_.push_back([this, target](double t) {
-      lookAt(toBody(target), t);
-      return chance_.between(0.15, 0.30);
-    });
-  };
-  const auto reach = [this](const Coord3& target, double above, double width) {
-    agenda_.push_back([=, this](double t) { return reachTo(target, above, width, t); });
-  };
-  const auto grip = [this](double wished, double takes, double wait) {
-    agenda_.push_back([=, this](double t) {
-      arm_.closeTo(wished, t, takes * chance_.between(0.9, 1.2));
-      return wait;
-    });
-  };
-  look(pick);
+  agenda_.push_back([this, point_world](double t) {
+    lookAt(body().toBody(point_world), t);
+    return chance_.between(0.15, 0.30);
+  });
+}
+
+void Operator::reach(const std::function<Coord3()>& palm_body, double width_m) {
+  agenda_.push_back([=, this](double t) {
+    aimed_ = palm_body();
+    return arm_.reachTo(*aimed_, width_m, t, chance_);
+  });
+}
+
+void Operator::grip(double wished, double takes_s, double wait_s) {
+  agenda_.push_back([=, this](double t) {
+    arm_.closeTo(wished, t, takes_s * chance_.between(0.9, 1.2));
+    return wait_s;
+  });
+}
+
+/// How far the palm is from where the last reach was aimed: seen, and made up for in the next one.
+Coord3 Operator::strayed() const {
+  return aimed_ ? felt_.point({arm_.planner().body().rig().hand, 0.0, 0.0}) - *aimed_ : Coord3{};
+}
+
+/// Where the palm must be for the hand to close upon something there.
+Coord3 Operator::palmOnto(const Coord3& block_world) const {
+  return arm_.planner().palmFor(body().toBody(block_world), task_.grasp_point) - strayed();
+}
+
+/// Where the palm must be for the block it holds to be there; it is seen how it lies in the hand.
+Coord3 Operator::palmCarrying(std::size_t block, const Coord3& to_world) const {
+  if (!holds(block)) return palmOnto(to_world);  // it has been lost on the way
+  const Embodied me = body();
+  const double palm = arm_.planner().body().rig().hand;
+  const Coord3 in_hand = transform(world_.movables[block]).origin() / me.scale - Coord3{palm, 0.0, 0.0};
+  return arm_.planner().palmFor(me.toBody(to_world), in_hand) - strayed();
+}
+
+bool Operator::holds(std::size_t block) const {
+  return world_.movables[block].holder == body().hand;
+}
+
+void Operator::planTransfer(const Transfer& transfer) {
+  const std::size_t block = transfer.block;
+  const Coord3 from = transform(world_.movables[block]).origin();
+  const Coord3 over{0.0, kLift, 0.0};
+  look(from);
   grip(kOpenGrip, 0.45, 0.0);  // the hand opens on its way
-  reach(pick, 0.0, kGraspWidth);
+  aimed_.reset();
+  reach([=, this] { return palmOnto(from + over * 0.5); }, kTransitWidth);
+  reach([=, this] { return palmOnto(transform(world_.movables[block]).origin()); }, kGraspWidth);
+  grip(kHoldingGrip, 0.25, 0.40);
+  // Whoever sees that the hand has closed on nothing thinks again.
+  agenda_.push_back([=, this](double) {
+    if (!holds(block)) {
+      grip(kOpenGrip, 0.3, 0.3);
+      planRest();
+      return 0.0;
+    }
+    reach([=, this] { return palmCarrying(block, from + over); }, kTransitWidth);
+    look(transfer.to);
+    reach([=, this] { return palmCarrying(block, transfer.to + over); }, kGraspWidth);
+    reach([=, this] { return palmCarrying(block, transfer.to + Coord3{0.0, 0.03, 0.0}); }, kGraspWidth);
+    reach(
+        [=, this] {
+          return palmCarrying(block, transfer.to + Coord3{0.0, kLetGoAbove, 0.0});
+        },
+        kGraspWidth);
+    grip(kOpenGrip, 0.3, 0.45);
+    reach([=, this] { return palmOnto(transfer.to + over); }, kTransitWidth);
+    if (chance_.happens(0.25)) planRest();
+    return 0.0;
+  });
+}
+
+void Operator::planTouch() {
+  const Coord3 target = task_.targets[chance_.below(task_.targets.size())];
+  const auto palm = [=, this] { return body().toBody(target); };
+  look(target);
+  grip(kOpenGrip, 0.45, 0.0);
+  reach(palm, kGraspWidth);
   grip(kHoldingGrip, 0.25, 0.35);
-  reach(pick, kLift, kTransitWidth);
-  look(place);
-  reach(place, kLift, kTransitWidth);
-  reach(place, 0.0, kGraspWidth);
   grip(kOpenGrip, 0.25, 0.35);
-  reach(place, kLift, kTransitWidth);
-  if (chance_.happens(0.5)) return;
+  if (chance_.happens(0.5)) planRest();
+}
+
+/// Hands off, and a look at what has been built.
+void Operator::planPride() {
+  const auto highest = std::max_element(world_.movables.begin(), world_.movables.end(),
+                                        [](const Movable& a, const Movable& b) { return a.y_nm < b.y_nm; });
+  planRest();
+  look(transform(*highest).origin());
+  agenda_.push_back([this](double) { return chance_.between(2.5, 3.5); });
+}
+
+void Operator::planRest() {
   grip(kRelaxedGrip, 0.5, 0.0);
   agenda_.push_back([this](double t) { return arm_.goToRest(t, chance_) + chance_.between(0.2, 1.0); });
 }
@@ -152,19 +246,15 @@ double Operator::lookAt(const Coord3& point_body, double time_s) {
   return gaze_.shift(arm_.planner().body().facing(point_body, arm_.at(time_s).lean), time_s, chance_);
 }
 
-double Operator::reachTo(const Coord3& target_world, double above, double width_m, double time_s) {
-  return arm_.reachTo(toBody(target_world + Coord3(0.0, above, 0.0)), width_m, time_s, chance_);
+const BasePose& Operator::workplace() const {
+  return world_.mode == Mode::Robot ? task_.robot_workplace : task_.workplace;
 }
 
 bool Operator::atWorkplace() const {
-  const DriveGoal here = driveGoal(world_.base);
-  const DriveGoal there = driveGoal(task_.workplace);
+  const DriveGoal here = driveGoal(world_.driven().base);
+  const DriveGoal there = driveGoal(workplace());
   return std::hypot(there.x - here.x, there.z - here.z) < 0.05 &&
          std::abs(std::remainder(there.heading - here.heading, kTurn)) < 0.08;
-}
-
-Coord3 Operator::toBody(const Coord3& point_world) const {
-  return transform(world_.base).rigidInverse().point(point_world);
 }
 
 }  // namespace coherency

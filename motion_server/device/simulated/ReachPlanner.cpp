@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSteps = 8;               // poses a reach is planned through
 constexpr double kComfortable = 0.88;   // of the straight arm
-constexpr double kFarthestLean = 0.75;  // rad
+constexpr double kFarthestLean = 0.85;  // rad
 constexpr double kLeanStep = 0.025;
 constexpr double kSideShare = 0.5;  // one leans less to the side than ahead
 constexpr double kHandDown = 0.35;  // rad, fingers below the horizontal when grasping
@@ -69,6 +69,21 @@ Coord3 ReachPlanner::palm(const ReachPose& pose) const {
   return body_.shoulder(pose.lean).point(arm_.pose(pose.joints).palm);
 }
 
+Coord3 ReachPlanner::palmFor(const Coord3& place, const Coord3& in_hand) const {
+  Coord3 palm = place;
+  for (int i = 0; i < 3; ++i)  // the attitude depends a little on the place
+    palm = place - rotation(attitudeAt(palm)).vector(in_hand);
+  return palm;
+}
+
+TransformMatrix ReachPlanner::hand(const ReachPose& pose) const {
+  return body_.shoulder(pose.lean) * arm_.pose(pose.joints).t_shoulder_hand;
+}
+
+Quaternion ReachPlanner::attitudeAt(const Coord3& palm) const {
+  return grasp(palm - body_.shoulder(leanFor(palm)).origin());
+}
+
 Lean ReachPlanner::leanFor(const Coord3& palm) const {
   const Rig& rig = body_.rig();
   const double comfortable = kComfortable * (rig.upper_arm + rig.forearm + rig.hand);
@@ -114,7 +129,7 @@ ReachPose ReachPlanner::poseAt(const Waypoint& way, const ArmJoints& seed) const
 Reach ReachPlanner::toPlace(const ReachPose& from, const Coord3& place) const {
   const Waypoint start = waypoint(from);
   const Lean lean = leanFor(place);
-  const Waypoint goal{place, grasp(place - body_.shoulder(lean).origin()), lean};
+  const Waypoint goal{place, attitudeAt(place), lean};
   std::vector<ReachPose> poses = {from};
   for (int k = 1; k <= kSteps; ++k) {
     poses.push_back(poseAt(between(start, goal, static_cast<double>(k) / kSteps), poses.back().joints));

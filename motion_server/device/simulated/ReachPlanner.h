@@ -36,6 +36,12 @@ class ReachPlanner {
   /// Upright again, the hand back on the thigh.
   Reach toRest(const ReachPose& from) const;
 
+  /// Where the palm must be for something that is `in_hand` (m, hand's axes, from the middle of the palm) to
+  /// be at `place` (body frame), when the hand takes the attitude that toPlace() gives it.
+  Coord3 palmFor(const Coord3& place, const Coord3& in_hand) const;
+  /// T_body_hand.
+  TransformMatrix hand(const ReachPose& pose) const;
+
   ReachPose rest() const { return rest_; }
   Coord3 palm(const ReachPose& pose) const;  ///< body frame
   const SeatedBody& body() const { return body_; }
@@ -53,6 +59,7 @@ class ReachPlanner {
   static Waypoint between(const Waypoint& start, const Waypoint& goal, double s);
   ReachPose poseAt(const Waypoint& way, const ArmJoints& seed) const;
   Lean leanFor(const Coord3& palm) const;
+  Quaternion attitudeAt(const Coord3& palm) const;
 
   SeatedBody body_;
   ArmKinematics arm_;

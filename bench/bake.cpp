@@ -1,0 +1,112 @@
+// What baking a scene's light costs, and how far off it is with fewer rays: against 1024 rays a vertex, in
+// what is shown.
+#include "render_client/compile/Bake.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/config/SceneFile.h"
+#include "common/world/Scene.h"
+#include "render_client/compile/FixedSurface.h"
+#include "render_client/compile/ToneCurve.h"
+
+namespace {
+
+using namespace coherency;
+using Steady = std::chrono::steady_clock;
+
+constexpr int kTruth = 1024;
+
+void addFixed(const VRObject& object, const TransformMatrix& t_world_parent, FixedMesh& mesh) {
+  if (object.attribute<Moving>() != nullptr) return;
+  const TransformMatrix t_world_object = t_world_parent * object.transform();
+  mesh.add(object, t_world_object);
+  for (const VRObject* member : object.members()) addFixed(*member, t_world_object, mesh);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void timeBakes(const FixedMesh& shapes, const Illumination& illumination, int rays, int runs) {
+  std::vector<double> wall;
+  std::vector<double> processor;
+  FixedMesh mesh;
+  for (int run = 0; run < runs; ++run) {
+    mesh = shapes;
+    const auto begin = Steady::now();
+    const std::clock_t clock = std::clock();
+    bake(mesh, illumination, {.rays = rays});
+    wall.push_back(std::chrono::duration<double, std::milli>(Steady::now() - begin).count());
+    processor.push_back(1e3 * static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
+  }
+  std::printf("%5d rays: %7.1f ms, least %7.1f, %7.1f of processor, %zu vertices, %zu triangles", rays,
+              median(wall), *std::min_element(wall.begin(), wall.end()), median(processor),
+              mesh.vertices.size(), mesh.indices.size() / 3);
+}
+
+std::vector<SurfaceLight> lightOf(const FixedSurface& surface, Illumination illumination, int rays) {
+  for (Light& lamp : illumination.lamps) lamp.position -= surface.origin();
+  const LightBaker baker(surface.occluders(), illumination, rays);
+  std::vector<SurfaceLight> light;
+  for (std::uint32_t v = 0; v < surface.mesh().vertices.size(); ++v)
+    light.push_back(baker.light(surface.at(v)));
+  return light;
+}
+
+/// Prints the mean and the 99th percentile over all vertices that are seen, as shares of a display's range.
+void printError(const FixedMesh& mesh, const std::vector<SurfaceLight>& light,
+                const std::vector<SurfaceLight>& truth) {
+  std::vector<double> errors;
+  double sum = 0.0;
+  for (std::uint32_t v = 0; v < light.size(); ++v) {
+    if (light[v].buried || truth[v].buried) continue;
+    const Material& material = mesh.objectOf(v).faces->material;
+    const auto shown = [&](const SurfaceLight& l) {
+      return encoded(tone(static_cast<float>(material.colour.y) * l.light.g));
+    };
+    errors.push_back(std::abs(shown(light[v]) - shown(truth[v])));
+    sum += errors.back();
+  }
+  const auto at = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 99 / 100);
+  std::nth_element(errors.begin(), at, errors.end());
+  std::printf("; off by %.2f %% in the mean, %.2f %% at p99\n",
+              100.0 * sum / static_cast<double>(errors.size()), 100.0 * *at);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Times the baking of a scene's light and measures its error.", "bench_bake");
+  std::string name = "laboratory";
+  std::string folder = "configs/scenes";
+  int runs = 5;
+  app.add_option("scene", name, "Scene's name or TOML file")->capture_default_str();
+  app.add_option("--scenes", folder, "Folder of the scenes that are called by name")->capture_default_str();
+  app.add_option("--runs", runs, "Of which the middle one is printed")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+
+  const auto scene = std::make_unique<Scene>(readScene(name, folder), Rig{});
+  const Illumination illumination{scene->lights(), scene->ambient()};
+  FixedMesh shapes;
+  addFixed(*scene, {}, shapes);
+  FixedMesh mesh = shapes;
+  bake(mesh, illumination, {});
+  const FixedSurface surface(mesh);
+  const std::vector<SurfaceLight> truth = lightOf(surface, illumination, kTruth);
+  std::printf("%zu objects, %zu triangles before, %zu lamps\n", shapes.objects.size(),
+              shapes.indices.size() / 3, illumination.lamps.size());
+  for (const int rays : {8, 16, 32, 64, 128}) {
+    timeBakes(shapes, illumination, rays, runs);
+    printError(mesh, lightOf(surface, illumination, rays), truth);
+  }
+  return 0;
+}

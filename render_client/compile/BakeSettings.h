@@ -1,0 +1,16 @@
+#pragma once
+
+namespace coherency {
+
+/// Where baking trades accuracy for time.
+struct BakeSettings {
+  /// For the light at a vertex (LightBaker); 8 or more. Four times as many make a third of the error and take
+  /// more than twice the time (docs/measurements.md).
+  int rays = 16;
+  /// An edge is cut where what is shown halfway differs from what is shown halfway between its ends', times
+  /// the edge's length, by more than this: share of a display's range, times m.
+  double tolerance = 0.015;
+  double finest = 0.08;  ///< m; edges as short as this are not cut for light
+};
+
+}  // namespace coherency

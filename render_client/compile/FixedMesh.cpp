@@ -1,0 +1,58 @@
+#include "render_client/compile/FixedMesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+
+#include "render_client/compile/MeshBuilder.h"
+#include "render_client/compile/NormalMatrix.h"
+
+namespace coherency {
+namespace {
+
+/// Light varies over less than a metre in a room. What shines by itself needs none, and what is larger than
+/// any hall is scenery.
+double longestEdge(const FaceSet& faces, double size) {
+  constexpr double kLongest = 1.0;
+  constexpr double kHall = 60.0;
+  if (faces.material.emission >= kShines || size > kHall) return std::numeric_limits<double>::infinity();
+  return std::max(kLongest, size / 32.0);
+}
+
+}  // namespace
+
+Mesh meshOf(const VRObject& object) {
+  try {
+    return buildMesh(*object.faces());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(object.path() + ": " + error.what());
+  }
+}
+
+void FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_object) {
+  if (object.faces() == nullptr) return;
+  const Mesh mesh = meshOf(object);
+  const double hand = handedness(t_world_object);
+  if (mesh.indices.empty() || std::abs(hand) < kFlat) return;
+  const glm::dmat3 linear(t_world_object.glm());
+  const glm::dmat3 normals = normalMatrix(linear);
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  const auto number = static_cast<std::uint32_t>(objects.size());
+  double size = 0.0;
+  for (const MeshVertex& v : mesh.vertices) {
+    const glm::dvec3 position = linear * glm::dvec3(v.position[0], v.position[1], v.position[2]);
+    const glm::dvec3 normal = normals * glm::dvec3(v.normal[0], v.normal[1], v.normal[2]);
+    vertices.push_back({glm::vec3(position), glm::vec3(glm::normalize(normal)), number});
+    size = std::max(size, 2.0 * glm::length(position));
+  }
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const bool mirrored = hand < 0.0;
+    for (const std::size_t c : {0U, mirrored ? 2U : 1U, mirrored ? 1U : 2U})
+      indices.push_back(first + mesh.indices[i + c]);
+  }
+  objects.push_back({object.faces(), t_world_object.point(mesh.origin), longestEdge(*object.faces(), size)});
+}
+
+}  // namespace coherency

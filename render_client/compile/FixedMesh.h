@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "common/math/TransformMatrix.h"
+#include "common/scene/FaceSet.h"
+#include "common/scene/VRObject.h"
+
+namespace coherency {
+
+struct Mesh;
+
+/// Things that shine by themselves, by half or more (Material::emission), keep no light away: a lamp may
+/// stand inside its own fitting.
+inline constexpr double kShines = 0.5;
+
+/// An object that never moves and shows faces.
+struct FixedObject {
+  const FaceSet* faces;
+  Coord3 origin;        ///< of its vertices, m, in the world
+  double longest_edge;  ///< m; its edges are cut to it, so that light can be computed at the vertices;
+                        ///< infinite: never
+};
+
+struct FixedVertex {
+  glm::vec3 position;  ///< m, world's axes, from its object's origin
+  glm::vec3 normal;    ///< unit length, world's axes
+  std::uint32_t object;
+};
+
+/// The surfaces of all that never moves, as triangles standing in the world (geometry compilation, paper,
+/// section III.C.1). Mirrored shapes are turned right.
+struct FixedMesh {
+  std::vector<FixedObject> objects;
+  std::vector<FixedVertex> vertices;  ///< object by object
+  std::vector<std::uint32_t>
+      indices;  ///< three a triangle, counter-clockwise seen from outside; object by object
+
+  /// Objects without faces or squashed flat add nothing. Throws what buildMesh() throws, with the object's
+  /// path.
+  void add(const VRObject& object, const TransformMatrix& t_world_object);
+
+  const FixedObject& objectOf(std::uint32_t vertex) const { return objects[vertices[vertex].object]; }
+};
+
+/// buildMesh() of the object's faces; what it throws has the object's path before it.
+Mesh meshOf(const VRObject& object);
+
+}  // namespace coherency

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace coherency {
+
+/// Calls work(i) for every i below `count`, in no order, on as many threads as there are cores (at most 8)
+/// and as the count is worth. What work(i) writes must be its own; then the outcome does not depend on the
+/// threads. It must not throw.
+template <class Work>
+void parallelFor(std::size_t count, const Work& work) {
+  constexpr std::size_t kChunk = 64;
+  std::atomic<std::size_t> next{0};
+  const auto run = [&] {
+    for (std::size_t begin = next.fetch_add(kChunk); begin < count; begin = next.fetch_add(kChunk))
+      for (std::size_t i = begin, end = std::min(begin + kChunk, count); i < end; ++i) work(i);
+  };
+  const std::size_t cores = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
+  std::vector<std::thread> helpers(std::min(cores, count / (2 * kChunk) + 1) - 1);
+  for (std::thread& helper : helpers) helper = std::thread(run);
+  run();
+  for (std::thread& helper : helpers) helper.join();
+}
+
+}  // namespace coherency

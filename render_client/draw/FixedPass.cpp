@@ -1,0 +1,55 @@
+#include "render_client/draw/FixedPass.h"
+
+#include "render_client/draw/ShaderProgram.h"
+#include "render_client/draw/ShaderSources.h"
+
+namespace coherency {
+
+FixedPass::FixedPass(const CompiledScene& scene, int shadow_resolution)
+    : plain_program_(makeProgram("fixed", fixedVertexShader({}), fragmentShader({}))),
+      shaded_program_(makeProgram("fixed, in shadow",
+                                  fixedVertexShader({.shadow_resolution = shadow_resolution}),
+                                  fragmentShader({.shadow_resolution = shadow_resolution}))),
+      plain_(scene.fixed().drawables.size()),
+      shaded_(scene.fixed().drawables.size()),
+      order_(scene.fixed().drawables.size()),
+      objects_(scene.fixed().drawables.size()),
+      object_buffer_(GL_SHADER_STORAGE_BUFFER, objects_.size() * sizeof(Object)) {
+  for (const Drawable& drawable : scene.fixed().drawables) boxes_.push_back(worldBox(scene, drawable));
+}
+
+void FixedPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count,
+                      const OverheadShadow* shadow) {
+  object_buffer_.reserve(view_count);
+  order_.clear();
+  for (std::size_t i = 0; i < boxes_.size(); ++i) order_.add(i, distance(boxes_[i], eye));
+  order_.sort();
+  plain_.clear();
+  shaded_.clear();
+  for (const NearestFirst::Shown& shown : order_.shown()) {
+    const Drawable& drawable = scene.fixed().drawables[shown.number];
+    const bool in_shadow = shadow != nullptr && drawable.shaded && shadow->reaches(boxes_[shown.number]);
+    (in_shadow ? shaded_ : plain_).add(drawable, shown.number, false);
+  }
+  plain_.upload();
+  shaded_.upload();
+}
+
+void FixedPass::draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene,
+                     const SceneBuffers& buffers) {
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const Drawable& drawable = scene.fixed().drawables[i];
+    const Material& material = drawable.faces->material;
+    objects_[i] = {glm::vec4(glm::dvec4((drawable.origin - eye).glm(), material.emission)),
+                   glm::vec4(glm::dvec4(material.colour.glm(), 0.0))};
+  }
+  object_buffer_.write(slot, objects_.data(), objects_.size() * sizeof(Object));
+  object_buffer_.bind(slot, 0);
+  buffers.bindFixed();
+  glUseProgram(shaded_program_.name());
+  shaded_.draw();
+  glUseProgram(plain_program_.name());
+  plain_.draw();
+}
+
+}  // namespace coherency

@@ -1,0 +1,55 @@
+#include "render_client/draw/MovingPass.h"
+
+#include <cmath>
+
+#include "render_client/compile/NormalMatrix.h"
+#include "render_client/draw/ShaderProgram.h"
+#include "render_client/draw/ShaderSources.h"
+
+namespace coherency {
+
+MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution)
+    : program_(makeProgram("moving", movingVertexShader({lamp_count, shadow_resolution}),
+                           fragmentShader({lamp_count, shadow_resolution}))),
+      commands_(scene.moving().drawables.size()),
+      order_(scene.moving().drawables.size()),
+      objects_(scene.moving().drawables.size()),
+      object_buffer_(GL_SHADER_STORAGE_BUFFER, objects_.size() * sizeof(Object)) {}
+
+void MovingPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count) {
+  object_buffer_.reserve(view_count);
+  order_.clear();
+  const std::vector<Drawable>& drawables = scene.moving().drawables;
+  for (std::size_t i = 0; i < drawables.size(); ++i)
+    if (std::abs(handedness(scene.worldTransform(drawables[i]))) >= kFlat)
+      order_.add(i, distance(worldBox(scene, drawables[i]), eye));
+  order_.sort();
+  commands_.clear();
+  for (const NearestFirst::Shown& shown : order_.shown()) {
+    const Drawable& drawable = drawables[shown.number];
+    commands_.add(drawable, shown.number, handedness(scene.worldTransform(drawable)) < 0.0);
+  }
+  commands_.upload();
+}
+
+void MovingPass::writeObject(std::size_t number, const Coord3& eye, const CompiledScene& scene) {
+  const Drawable& drawable = scene.moving().drawables[number];
+  const glm::dmat4 from_eye = fromEye(eye, scene.worldTransform(drawable), drawable.origin);
+  const glm::dmat3 normals = normalMatrix(glm::dmat3(from_eye));
+  const Material& material = drawable.faces->material;
+  objects_[number] = {glm::mat4(from_eye), glm::vec4(glm::dvec4(normals[0], material.emission)),
+                      glm::vec4(glm::dvec4(normals[1], 0.0)), glm::vec4(glm::dvec4(normals[2], 0.0)),
+                      glm::vec4(glm::dvec4(material.colour.glm(), material.gloss))};
+}
+
+void MovingPass::draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene,
+                      const SceneBuffers& buffers) {
+  for (const NearestFirst::Shown& shown : order_.shown()) writeObject(shown.number, eye, scene);
+  object_buffer_.write(slot, objects_.data(), objects_.size() * sizeof(Object));
+  object_buffer_.bind(slot, 0);
+  buffers.bindMoving();
+  glUseProgram(program_.name());
+  commands_.draw();
+}
+
+}  // namespace coherency

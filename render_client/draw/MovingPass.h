@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "render_client/draw/DrawCommands.h"
+#include "render_client/draw/NearestFirst.h"
+#include "render_client/draw/SceneBuffers.h"
+#include "render_client/draw/SlottedBuffer.h"
+#include "render_client/draw/WorldBox.h"
+
+namespace coherency {
+
+/// Draws what moves: light is computed at its vertices, of the lamps chosen for the frame, and its shadows on
+/// itself are looked for in every pixel.
+class MovingPass {
+ public:
+  /// `lamp_count` of the chosen lamps, at most kChosenLamps; `shadow_resolution`: texels a side of the map,
+  /// 0: no shadows. Fixed, so that the shader has no loops or branches (on a software renderer they cost ten
+  /// times the arithmetic).
+  MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution);
+
+  /// Chooses what is drawn in this frame, by all its views.
+  void begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count);
+  /// Draws view number `slot` of the frame, whose uniforms are bound, into the bound framebuffer.
+  void draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene, const SceneBuffers& buffers);
+
+  std::size_t count() const { return commands_.size(); }  ///< drawables, in this frame
+
+ private:
+  /// As the shader has it (std430).
+  struct Object {
+    glm::mat4 world_from_mesh;
+    glm::vec4 normal_x_emission;
+    glm::vec4 normal_y;
+    glm::vec4 normal_z;
+    glm::vec4 colour_gloss;
+  };
+
+  void writeObject(std::size_t number, const Coord3& eye, const CompiledScene& scene);
+
+  Program program_;
+  DrawCommands commands_;
+  NearestFirst order_;
+  std::vector<Object> objects_;
+  SlottedBuffer object_buffer_;
+};
+
+}  // namespace coherency
