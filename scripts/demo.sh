@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 seconds=27
-moments=5,14.3,24.5
+moments=5,19.4,24.5
 size=640x480
 judge=(--tower)
 display=""

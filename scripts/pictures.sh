@@ -14,10 +14,10 @@ for mode in operator robot; do
   cp out/stereo_3.png "$pictures/${mode}_tower.png"
 done
 view() { "$look" laboratory "$pictures/$1.png" --size 640x480 "${@:2}"; }
-view laboratory --camera 2.9,1.6,2.6,45,-12 --fov 75
+view laboratory --camera 2.2,1.6,2.2,40,-12 --fov 75
 view corridor --camera 4.76,1.2,6.1,0,-3 --base 4.76,-5,0 --fov 75
 view office --camera 6.5,1.6,2.3,-45,-12 --fov 75
 view meeting_room --camera 2.9,1.5,3.6,125,-10 --fov 75
-view robot --robot-base 0,0.2,0 --base 2.4,2.2,0 --set shoulder_flexion=0.5 --camera 1.0,1.3,-1.2,144,-18 --fov 42
+view robot --robot-base 0,0.2,0 --base 2.4,2.2,0 --set shoulder_flexion=0.5 --camera 1.0,1.35,-1.2,144,-14 --fov 50
 view down --eye mono --head 0,1.16,-0.03,0,-1.0,0
 view holding --base 0,0.5,0 --camera=-0.05,0.85,-0.08,-140,-38 --fov 45 --set grip=1 --hold
