@@ -28,7 +28,9 @@ struct Bench {
   }
   std::optional<Transfer> next() { return plan.next(world, kBase, 0.95, kComfortable, chance); }
   /// As if it had been done.
-  void carryOut(const Transfer& t) { world.movables[t.block] = at(t.to.x, t.to.z, static_cast<int>(std::lround((t.to.y - kOnTable) / kEdge))); }
+  void carryOut(const Transfer& t) {
+    world.movables[t.block] = at(t.to.x, t.to.z, static_cast<int>(std::lround((t.to.y - kOnTable) / kEdge)));
+  }
 
   WorldState world;
   Workplan plan;
