@@ -1,5 +1,7 @@
 #include "render_client/Overlay.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "common/world/Hearing.h"
@@ -11,7 +13,8 @@ namespace {
 constexpr std::int64_t kNoticeNs = 4'000'000'000;
 constexpr std::int64_t kHintNs = 8'000'000'000;
 constexpr std::int64_t kSilentNs = 500'000'000;
-constexpr double kPalm = 0.03;  // m, radius of the ball that feels, under the palm
+constexpr std::size_t kHeard = 3;  // the loudest
+constexpr double kPalm = 0.03;     // m, radius of the ball that feels, under the palm
 
 /// What is heard and felt where the operator now is (attributes for other senses).
 std::string senses(const Replica& replica) {
@@ -21,15 +24,16 @@ std::string senses(const Replica& replica) {
   const double scale = mode == Mode::Robot ? rig.robot_scale : 1.0;
   const TransformMatrix t_world_hand = scene.hand(mode).globalTransform();
   const Sphere palm{t_world_hand.point({rig.hand * scale, -kPalm * scale, 0.0}), kPalm * scale};
-  return fmt::format("heard: {}\nthe hand touches: {}\n",
-                     describe(heardFrom(scene, scene.eye(Eye::Mono, mode).globalTransform())),
+  auto heard = heardFrom(scene, scene.eye(Eye::Mono, mode).globalTransform());
+  heard.resize(std::min(heard.size(), kHeard));
+  return fmt::format("heard: {}\nthe hand touches: {}\n", describe(heard),
                      describe(touchedBy(palm, scene, {&scene.human(), scene.robot()})));
 }
 
 }  // namespace
 
 void Overlay::refresh(const ClientStats& stats, const Replica& replica) {
-  statistics_ = shown_ ? overlayText(stats) + senses(replica) : std::string();
+  statistics_ = shown_ ? overlayText(stats) + "\n" + senses(replica) : std::string();
 }
 
 void Overlay::notify(std::string notice, ClientTime now) {

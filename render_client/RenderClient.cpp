@@ -95,13 +95,20 @@ void RenderClient::planPictures() {
   const std::vector<double>& times = options_.snapshot_at_s;
   for (const double time : times) {
     const std::string number = times.size() > 1 ? fmt::format("_{}", planned_.size() + 1) : "";
-    planned_.push_back({gridTick(time), options_.eye + number});
+    planned_.push_back({time, options_.eye + number});
   }
+  keepPlanned();
   const std::uint64_t tick = link_.newest()->packet.world.tick;
-  if (!planned_.empty() && tick > planned_.front().tick)
+  if (!times.empty() && tick > gridTick(times.front()))
     throw std::runtime_error(
         fmt::format("--snapshot-at {}: the session has run for {:.1f} s already; name a later moment",
                     times.front(), sessionSeconds(*replica_, tick)));
+}
+
+void RenderClient::keepPlanned() {
+  std::vector<std::uint64_t> ticks;
+  for (const PlannedPicture& picture : planned_) ticks.push_back(gridTick(picture.session_s));
+  link_.keepTicks(ticks);
 }
 
 void RenderClient::buildWorld(const SessionConfig& session) {
@@ -120,6 +127,7 @@ void RenderClient::layGrid() {
   const double rate_hz = 1e9 / static_cast<double>(replica_->session().period_ns);
   frame_ticks_ = static_cast<std::uint64_t>(std::max(1.0, std::floor(rate_hz / fps)));
   drawn_tick_ = 0;
+  keepPlanned();
 }
 
 void RenderClient::followSession() {
@@ -141,7 +149,8 @@ std::uint64_t RenderClient::gridTick(double session_s) const {
 }
 
 /// The pose of the next frame on the grid; where none comes in time, the newest there is. A picture asked for
-/// is of exactly its tick, however slow this machine is, so that both eyes' pictures are of one moment.
+/// is of exactly its tick, however slow this machine is, so that both eyes' pictures are of one moment; where
+/// the packet with it was lost there is no such picture.
 std::optional<ReceivedPacket> RenderClient::awaitPose() const {
   const auto latestOnGrid = [&](const ReceivedPacket& newest) {
     return newest.packet.world.tick / frame_ticks_ * frame_ticks_;
@@ -154,8 +163,15 @@ std::optional<ReceivedPacket> RenderClient::awaitPose() const {
     newest = link_.newest();
     if (!newest) return std::nullopt;
   }
-  const bool picture = !planned_.empty() && newest->packet.world.tick >= planned_.front().tick;
-  const auto on_grid = link_.atTick(picture ? planned_.front().tick : latestOnGrid(*newest));
+  if (!planned_.empty()) {
+    const std::uint64_t tick = gridTick(planned_.front().session_s);
+    if (auto picture = link_.atTick(tick)) return picture;
+    if (newest->packet.world.tick >= tick + frame_ticks_)
+      throw std::runtime_error(fmt::format(
+          "--snapshot-at {}: the packet of that moment, tick {}, did not come; take the picture again",
+          planned_.front().session_s, tick));
+  }
+  const auto on_grid = link_.atTick(latestOnGrid(*newest));
   return on_grid ? on_grid : newest;
 }
 
@@ -174,7 +190,7 @@ void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) 
     if (const auto pose = awaitPose(); pose) drawFrame(*pose);
   }
   if (options_.snapshot_dir.empty()) return;
-  if (options_.snapshot_at_s.empty() && frames_ > 0) return writeSnapshot(options_.eye);
+  if (options_.snapshot_at_s.empty() && frames_ > 0) return writeLastPicture();
   if (!planned_.empty() || frames_ == 0)
     throw std::runtime_error(
         fmt::format("no picture: the run ended at {:.1f} s of the session, before the moment asked for",
@@ -186,6 +202,10 @@ void RenderClient::drawFrame(const ReceivedPacket& pose) {
   newest_arrived_ = pose.arrived;
   const bool ours = pose.packet.session_id == replica_->session().session_id;
   if (!ours || !replica_->apply(pose.packet)) {  // never drawn wrong: the picture before it stays
+    if (ours && isPlanned(pose.packet.world.tick))
+      throw std::runtime_error(
+          fmt::format("--snapshot-at {}: the packet of that moment does not agree with its own hash",
+                      planned_.front().session_s));
     drawn_tick_ = pose.packet.world.tick;
     return;
   }
@@ -216,9 +236,10 @@ void RenderClient::countFrame(const ReceivedPacket& pose, ClientTime begun, Clie
 
 /// Before any text is drawn over the picture.
 void RenderClient::takeSnapshots() {
-  if (!planned_.empty() && replica_->world().tick >= planned_.front().tick) {
+  if (isPlanned(replica_->world().tick)) {
     writeSnapshot(planned_.front().name);
     planned_.pop_front();
+    keepPlanned();
   }
   if (snapshot_due_) trySnapshotByKey();
   snapshot_due_ = false;
@@ -254,6 +275,12 @@ void RenderClient::switchMode() {
     return;
   }
   overlay_.notify("there is no robot in this scene", now());
+}
+
+/// Drawn once more, without the text that lies over it.
+void RenderClient::writeLastPicture() {
+  renderer_->draw(views_);
+  writeSnapshot(options_.eye);
 }
 
 void RenderClient::writeSnapshot(const std::string& name) {

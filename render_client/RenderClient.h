@@ -40,17 +40,22 @@ class RenderClient {
  private:
   void awaitMotion(ClientTime deadline);
   void planPictures();
+  void keepPlanned();
   void buildWorld(const SessionConfig& session);
   void layGrid();
   void followSession();
   std::optional<ReceivedPacket> awaitPose() const;
   std::uint64_t gridTick(double session_s) const;
   void drawFrame(const ReceivedPacket& pose);
+  bool isPlanned(std::uint64_t tick) const {
+    return !planned_.empty() && tick == gridTick(planned_.front().session_s);
+  }
   void countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented);
   void takeSnapshots();
   void showText();
   void handleInput();
   void switchMode();
+  void writeLastPicture();
   void writeSnapshot(const std::string& name);
   void trySnapshotByKey();
   bool finished() const;
@@ -63,7 +68,7 @@ class RenderClient {
   std::unique_ptr<Display> display_;
   EyeChoice eyes_;
   struct PlannedPicture {
-    std::uint64_t tick;
+    double session_s;
     std::string name;
   };
   std::deque<PlannedPicture> planned_;  ///< still to be drawn and written, earliest first

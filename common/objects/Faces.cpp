@@ -98,7 +98,7 @@ void Faces::addFrame(const Outline& outer, double z_outer, const Outline& inner,
                                     {inner.right, inner.bottom, z_inner},
                                     {inner.right, inner.top, z_inner},
                                     {inner.left, inner.top, z_inner}}};
-  const bool on_floor = outer.bottom <= 0.0 && inner.bottom <= 0.0;
+  const bool on_floor = outer.standsOnFloor() && inner.standsOnFloor();
   for (std::size_t i = on_floor ? 1 : 0; i < a.size(); ++i) {
     const std::size_t next = (i + 1) % a.size();
     add({a[i], a[next], b[next], b[i]});

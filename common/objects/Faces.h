@@ -19,9 +19,10 @@ struct Outline {
   double width() const { return right - left; }
   double height() const { return top - bottom; }
   Coord3 middle(double z) const { return {0.5 * (left + right), 0.5 * (bottom + top), z}; }
+  bool standsOnFloor() const { return bottom == 0.0; }
   /// Smaller by so much on each side; one that stands on the floor goes on doing so.
   Outline inset(double by) const {
-    return {left + by, right - by, bottom > 0.0 ? bottom + by : bottom, top - by};
+    return {left + by, right - by, standsOnFloor() ? bottom : bottom + by, top - by};
   }
 };
 

@@ -143,8 +143,10 @@ void Rack::buildUnits() {
     for (int lamp = 0; lamp < 3; ++lamp)
       lamps.addSheet({0.14 + 0.03 * lamp, 0.152 + 0.03 * lamp, middle - 0.006, middle + 0.006}, z);
     if (i % 2 == 1)
-      for (double x = -0.20; x < 0.06; x += 0.05)
+      for (int slot = 0; slot < 6; ++slot) {
+        const double x = -0.20 + 0.05 * slot;
         slots.addSheet({x, x + 0.03, middle - 0.3 * high, middle + 0.3 * high}, z);
+      }
     y += kHeights[i];
   }
   assembleFaces(*this, units_, "rack units", paint(0x6A7479, 0.3), units);

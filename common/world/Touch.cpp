@@ -21,19 +21,20 @@ Coord3 nearestOnEdge(const Coord3& p, const Coord3& a, const Coord3& b) {
 
 struct Near {
   double distance;
+  bool behind;
   Coord3 normal;
 };
 
-/// A plane, convex face and a point outside it; nullopt for a point behind it.
+/// A plane, convex face and a point; nullopt for one that is behind it, but not straight behind.
 std::optional<Near> nearFace(const Coord3& p, const std::vector<Coord3>& corners) {
   Coord3 sum;
   for (std::size_t i = 2; i < corners.size(); ++i)
     sum += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
   const Coord3 normal = normalized(sum);
   const double height = dot(p - corners[0], normal);
-  if (height < 0.0) return std::nullopt;
+  const bool behind = height < 0.0;
   bool within = true;
-  double nearest = height;
+  double nearest = std::abs(height);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Coord3& a = corners[i];
     const Coord3& b = corners[(i + 1) % corners.size()];
@@ -42,7 +43,8 @@ std::optional<Near> nearFace(const Coord3& p, const std::vector<Coord3>& corners
     nearest = within ? distance : std::min(nearest, distance);
     within = false;
   }
-  return Near{nearest, normal};
+  if (behind && !within) return std::nullopt;
+  return Near{nearest, behind, normal};
 }
 
 const Surface* surfaceOf(const VRObject& object) {
@@ -65,7 +67,7 @@ std::optional<Touched> touched(const Sphere& probe, const VRObject& object,
   if (!nearest) return std::nullopt;
   Touched t;
   t.object = object.path();
-  t.depth_m = probe.radius - nearest->distance;
+  t.depth_m = probe.radius + (nearest->behind ? nearest->distance : -nearest->distance);
   t.normal = nearest->normal;
   if (const Surface* surface = surfaceOf(object); surface != nullptr) {
     t.material = surface->material;

@@ -18,9 +18,10 @@ struct Touched {
   Coord3 normal;         ///< of the face, outward, unit, world
 };
 
-/// What a ball-shaped probe touches (a fingertip, a palm): every object under `root` with a face, seen from
-/// its outside, nearer to the probe's centre than its radius. Deepest first. Objects in `without`, and all
-/// below them, are passed over. World coordinates, metres.
+/// What a ball-shaped probe touches (a fingertip, a palm): every object under `root` with a face nearer to
+/// the probe's centre than its radius. The nearest face pushes outward, also where the centre is behind it,
+/// up to a radius deep; what reached in deeper is through. Deepest first. Objects in `without`, and all below
+/// them, are passed over. World coordinates, metres.
 std::vector<Touched> touchedBy(const Sphere& probe, const VRObject& root,
                                const std::vector<const VRObject*>& without);
 

@@ -18,6 +18,9 @@ struct EyeView {
   int width = 0;
   int height = 0;
   TransformMatrix t_world_vehicle;  ///< rigid, on the floor; -z ahead
+  double text_x = 0.0;              ///< where text begins, pixels from the view's top left corner
+  double text_y = 0.0;
+  double text_width = 0.0;  ///< lines are broken there, pixels; 0: at the view's right border
 };
 
 }  // namespace coherency

@@ -12,7 +12,8 @@ namespace coherency {
 namespace {
 
 constexpr std::size_t kMaxQuads = 16384;
-constexpr float kScale = 2.0F;
+constexpr float kLarge = 2.0F;     // pixels a dot
+constexpr float kNarrow = 800.0F;  // pixels; where there are fewer, a dot is one
 constexpr float kMargin = 4.0F;
 
 struct Corner {  // as stb_easy_font writes it
@@ -25,6 +26,34 @@ std::vector<std::uint32_t> quadIndices() {
   for (std::uint32_t q = 0; q < kMaxQuads * 4; q += 4)
     indices.insert(indices.end(), {q, q + 1, q + 2, q, q + 2, q + 3});
   return indices;
+}
+
+float width(std::string& line) {
+  return static_cast<float>(stb_easy_font_width(line.data()));
+}
+
+float textWidth(const EyeView& view) {
+  return static_cast<float>(view.text_width > 0.0 ? view.text_width : view.width - view.text_x);
+}
+
+/// Lines that are too wide are broken at spaces, else where they are full.
+std::string broken(const std::string& text, float widest) {
+  std::string all;
+  std::string line;
+  for (std::size_t i = 0; i < text.size() && all.size() < kMaxQuads; ++i) {
+    if (text[i] == '\n') {
+      all += line + '\n';
+      line.clear();
+      continue;
+    }
+    line += text[i];
+    if (line.size() < 2 || width(line) <= widest) continue;
+    const std::size_t space = line.find_last_of(' ', line.size() - 2);
+    const std::size_t end = space == std::string::npos || space == 0 ? line.size() - 1 : space + 1;
+    all += line.substr(0, end) + '\n';
+    line.erase(0, end);
+  }
+  return all + line;
 }
 
 void drawQuads(std::size_t first, std::size_t count) {
@@ -51,11 +80,12 @@ TextOverlay::TextOverlay()
 }
 
 /// Fills the corner buffer, the ground first and then the letters; returns the number of quads.
-std::size_t TextOverlay::layOut(const std::string& text) {
+std::size_t TextOverlay::layOut(const std::string& text, float widest) {
   letters_ = text;
   // stb_easy_font looks letters up in a table without asking whether they are in it.
   std::replace_if(
       letters_.begin(), letters_.end(), [](char c) { return c != '\n' && (c < ' ' || c > '~'); }, '?');
+  letters_ = broken(letters_, widest - 2.0F * kMargin);
   const float right = 2.0F * kMargin + static_cast<float>(stb_easy_font_width(letters_.data()));
   const float bottom = 2.0F * kMargin + static_cast<float>(stb_easy_font_height(letters_.data()));
   const Corner ground[4] = {{0, 0, 0, 0}, {right, 0, 0, 0}, {right, bottom, 0, 0}, {0, bottom, 0, 0}};
@@ -70,8 +100,11 @@ std::size_t TextOverlay::layOut(const std::string& text) {
 }
 
 void TextOverlay::draw(std::span<const EyeView> views, const std::string& text) {
-  if (text.empty()) return;
-  const std::size_t quads = layOut(text);
+  if (text.empty() || views.empty()) return;
+  float narrowest = textWidth(views.front());
+  for (const EyeView& view : views) narrowest = std::min(narrowest, textWidth(view));
+  const float scale = narrowest < kNarrow ? 1.0F : kLarge;
+  const std::size_t quads = layOut(text, narrowest / scale);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_FRAMEBUFFER_SRGB);  // blended in linear light
@@ -81,8 +114,9 @@ void TextOverlay::draw(std::span<const EyeView> views, const std::string& text) 
   glBindVertexArray(vertex_array_.name());
   for (const EyeView& view : views) {
     glViewport(view.x, view.y, view.width, view.height);
-    glUniform4f(0, 2.0F / static_cast<float>(view.width), 2.0F / static_cast<float>(view.height), kScale,
+    glUniform4f(0, 2.0F / static_cast<float>(view.width), 2.0F / static_cast<float>(view.height), scale,
                 0.0F);
+    glUniform2f(2, static_cast<float>(view.text_x), static_cast<float>(view.text_y));
     glUniform4f(1, 0.0F, 0.0F, 0.0F, 0.7F);
     drawQuads(0, 1);
     glUniform4f(1, 0.9F, 0.9F, 0.9F, 1.0F);

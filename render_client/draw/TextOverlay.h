@@ -14,11 +14,12 @@ namespace coherency {
 class TextOverlay {
  public:
   TextOverlay();
-  /// To the top left corner of each view, in the bound framebuffer. Leaves blending off.
+  /// Where each view has its text (EyeView), in the bound framebuffer, lines broken to the narrowest; smaller
+  /// where that is narrow. Leaves blending off.
   void draw(std::span<const EyeView> views, const std::string& text);
 
  private:
-  std::size_t layOut(const std::string& text);
+  std::size_t layOut(const std::string& text, float widest);
 
   Program program_;
   Buffer corners_buffer_;

@@ -24,6 +24,7 @@ void LinkState::welcomed(const SessionConfig& session) {
     // Another server, another clock: nothing of the old one holds any longer.
     newest_.reset();
     recent_.fill(std::nullopt);
+    for (auto& [tick, packet] : kept_) packet.reset();
     offset_ = ClockOffset();
     frames_.clear();
   }
@@ -85,9 +86,12 @@ bool LinkState::on(MotionPacket& packet, ClientTime arrived) {
 }
 
 void LinkState::remember(const MotionPacket& packet, ClientTime arrived, ClientTime decoded) {
-  auto& kept = recent_[packet.world.tick % kRecentPackets];
-  if (kept && kept->packet.world.tick >= packet.world.tick) return;  // late by a whole round
-  kept = {{packet.session_id, packet.sample, packet.world, packet.hash, {}}, arrived, decoded};
+  const ReceivedPacket received{
+      {packet.session_id, packet.sample, packet.world, packet.hash, {}}, arrived, decoded};
+  if (const auto wanted = kept_.find(packet.world.tick); wanted != kept_.end()) wanted->second = received;
+  auto& recent = recent_[packet.world.tick % kRecentPackets];
+  if (recent && recent->packet.world.tick >= packet.world.tick) return;  // late by a whole round
+  recent = received;
 }
 
 bool LinkState::on(const ClockReply& reply, ClientTime arrived) {
@@ -127,8 +131,19 @@ std::optional<ReceivedPacket> LinkState::newest() const {
 
 std::optional<ReceivedPacket> LinkState::atTick(std::uint64_t tick) const {
   const std::lock_guard lock(mutex_);
-  const auto& kept = recent_[tick % kRecentPackets];
-  return kept && kept->packet.world.tick == tick ? kept : std::nullopt;
+  if (const auto kept = kept_.find(tick); kept != kept_.end() && kept->second) return kept->second;
+  const auto& recent = recent_[tick % kRecentPackets];
+  return recent && recent->packet.world.tick == tick ? recent : std::nullopt;
+}
+
+void LinkState::keepTicks(const std::vector<std::uint64_t>& ticks) {
+  const std::lock_guard lock(mutex_);
+  std::map<std::uint64_t, std::optional<ReceivedPacket>> kept;
+  for (const std::uint64_t tick : ticks) {
+    const auto before = kept_.find(tick);
+    kept[tick] = before == kept_.end() ? std::nullopt : before->second;
+  }
+  kept_ = std::move(kept);
 }
 
 bool LinkState::waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const {

@@ -4,10 +4,12 @@
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "common/sync/Clock.h"
 #include "common/sync/ClockOffset.h"
@@ -40,6 +42,7 @@ class LinkState {
   std::optional<SessionConfig> session() const;
   std::optional<ReceivedPacket> newest() const;
   std::optional<ReceivedPacket> atTick(std::uint64_t tick) const;
+  void keepTicks(const std::vector<std::uint64_t>& ticks);
   bool waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const;
   void reportFrame(const FrameReport& frame);
   std::optional<ServerTime> toServer(ClientTime t) const;
@@ -63,6 +66,7 @@ class LinkState {
   std::optional<SessionConfig> session_;
   std::optional<ReceivedPacket> newest_;
   std::array<std::optional<ReceivedPacket>, kRecentPackets> recent_;  ///< by tick modulo their number
+  std::map<std::uint64_t, std::optional<ReceivedPacket>> kept_;       ///< by tick
   std::optional<std::string> refusal_;                                ///< final: coming again is useless
   std::string last_failure_ = "no answer yet";
   bool connected_ = false;

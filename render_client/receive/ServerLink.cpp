@@ -338,7 +338,9 @@ std::optional<ReceivedPacket> ServerLink::newest() const {
 std::optional<ReceivedPacket> ServerLink::atTick(std::uint64_t tick) const {
   return impl_->state().atTick(tick);
 }
-
+void ServerLink::keepTicks(const std::vector<std::uint64_t>& ticks) {
+  impl_->state().keepTicks(ticks);
+}
 bool ServerLink::waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const {
   return impl_->state().waitForTick(tick, timeout_ns);
 }

@@ -29,8 +29,8 @@ class Window(SessionTest):
                           self.folder / f"{name}.json", "--snapshot-dir", self.folder, *arguments,
                           prefix=["env", f"DISPLAY={self.display}"])
 
-    def corner_brightness(self):
-        """Mean brightness of the screen where the window's top left is, from Xvfb's own frame buffer (XWD format)."""
+    def text_brightness(self):
+        """Mean brightness of the screen where the left eye has its text, below the line of hints, from Xvfb's own frame buffer (XWD format)."""
         data = (self.folder / "Xvfb_screen0").read_bytes()
         header, line, colours = (struct.unpack_from(">I", data, at)[0] for at in (0, 48, 76))
         pixels = data[header + 12 * colours:]
@@ -39,7 +39,7 @@ class Window(SessionTest):
                                env=environment, capture_output=True, text=True, check=True).stdout
         at = dict(entry.split("=") for entry in found.split() if "=" in entry)
         x, y = max(int(at["X"]), 0), max(int(at["Y"]), 0)
-        rows = [pixels[(y + dy) * line + 4 * (x + 4):(y + dy) * line + 4 * (x + 160)] for dy in range(36, 80)]  # below the line of hints
+        rows = [pixels[(y + dy) * line + 4 * (x + 120):(y + dy) * line + 4 * (x + 220)] for dy in range(50, 80)]
         return sum(sum(row) for row in rows) / sum(len(row) for row in rows)
 
     def key(self, name):
@@ -53,9 +53,9 @@ class Window(SessionTest):
         _, address = self.server()
         client = self.window("both", address, "--eye", "both", "--size", "480x360")
         self.until(lambda: (s := self.stats("both")) and s["frames"] > 10, 20, client)
-        before = self.corner_brightness()
+        before = self.text_brightness()
         self.key("F1")
-        self.until(lambda: self.corner_brightness() < 0.8 * before, 5, client)  # the statistics' dark backing
+        self.until(lambda: self.text_brightness() < 0.8 * before, 5, client)  # the statistics' dark backing
         self.key("F2")
         snapshot = self.folder / "both_001.png"
         self.until(lambda: snapshot.exists() and snapshot.read_bytes().endswith(b"IEND\xaeB`\x82"), 10, client)

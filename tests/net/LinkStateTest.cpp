@@ -82,6 +82,24 @@ TEST_F(LinkStateTest, OnlyTheLastTicksAreKept) {
   EXPECT_FALSE(link_.atTick(kRecentPackets));
 }
 
+TEST_F(LinkStateTest, WhatIsToBeKeptIsKeptUntilAskedForHoweverLate) {
+  link_.welcomed(session(1));
+  link_.keepTicks({7, 9});
+  const std::uint64_t last = 5 * kRecentPackets;
+  for (std::uint64_t s = 1; s <= last; ++s)
+    if (s != 9) receive(1, s);
+  ASSERT_TRUE(link_.atTick(7));
+  EXPECT_EQ(link_.atTick(7)->packet.sample.sequence, 7U);
+  EXPECT_FALSE(link_.atTick(9));  // it was lost
+  receive(1, 9);                  // or only late
+  EXPECT_TRUE(link_.atTick(9));
+  link_.keepTicks({9});
+  EXPECT_FALSE(link_.atTick(7));
+  EXPECT_TRUE(link_.atTick(9));
+  link_.welcomed(session(2));
+  EXPECT_FALSE(link_.atTick(9));
+}
+
 TEST_F(LinkStateTest, OtherSessionsAndNoiseAreRejected) {
   EXPECT_FALSE(receive(1, 10));  // before any welcome
   link_.welcomed(session(1));

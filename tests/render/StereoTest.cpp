@@ -92,6 +92,26 @@ TEST(EyeViews, PixelsAreSquareWhateverThePicturesShape) {
   }
 }
 
+TEST(EyeViews, TextIsSeenByBothEyesInOnePlaceTwoMetresAhead) {
+  SeenScene scene;
+  std::vector<EyeView> views;
+  for (const auto& [width, height] : {std::pair{640, 480}, {1280, 1440}}) {
+    eyeViews(scene, Mode::Operator, {}, EyeChoice::Both, width, height, views);
+    std::array<double, 2> tangent{};
+    for (std::size_t e = 0; e < 2; ++e) {
+      const EyeView& eye = views[e];
+      const double pixels = width / (eye.view.tan_left + eye.view.tan_right);
+      tangent[e] = eye.text_x / pixels - eye.view.tan_left;
+      EXPECT_GT(eye.text_x, 0.0);
+      EXPECT_GT(eye.text_width, 0.4 * width);
+      EXPECT_LT(eye.text_x + eye.text_width, width);
+    }
+    EXPECT_NEAR(tangent[0] - tangent[1], Rig{}.eye_distance / 2.0, 1e-9);
+    EXPECT_EQ(views[0].text_y, views[1].text_y);
+    EXPECT_EQ(views[0].text_width, views[1].text_width);
+  }
+}
+
 class Stereo : public DrawingTest {};
 
 struct Marker {

@@ -114,6 +114,16 @@ TEST(Touch, TellsDepthForceAndMaterial) {
   EXPECT_EQ(describe(touched), "bench top (wood), 3 mm deep, pushes back with 60 N");
 }
 
+TEST(Touch, PushesOutWhoReachedInWithHisCentreToo) {
+  const Workbench w;
+  const auto above = touchedBy({{0.1, 0.72 + 1e-6, 0.2}, 0.02}, w.root, {});
+  const auto below = touchedBy({{0.1, 0.72 - 1e-6, 0.2}, 0.02}, w.root, {});
+  ASSERT_EQ(above.size(), 1U);
+  ASSERT_EQ(below.size(), 1U);
+  EXPECT_NEAR(below[0].force_n, above[0].force_n, 0.1);
+  EXPECT_NEAR(norm(below[0].normal - Coord3{0.0, 1.0, 0.0}), 0.0, 1e-12);
+}
+
 TEST(Touch, FindsNothingInTheAirNorWhereItShallNotLook) {
   const Workbench w;
   EXPECT_TRUE(touchedBy({{0.0, 0.75, 0.0}, 0.02}, w.root, {}).empty());
@@ -139,11 +149,13 @@ RC_GTEST_PROP(Touch, AgreesWithTheDistanceToABox, ()) {
   const Coord3 local = random::vector(1.6);
   const Coord3 out{std::max(std::abs(local.x) - half.x, 0.0), std::max(std::abs(local.y) - half.y, 0.0),
                    std::max(std::abs(local.z) - half.z, 0.0)};
-  const double distance = norm(out);
+  const double deepest =
+      std::max({std::abs(local.x) - half.x, std::abs(local.y) - half.y, std::abs(local.z) - half.z});
+  const double distance = deepest < 0.0 ? deepest : norm(out);  // negative inside
   const double radius = random::real(0.01, 0.5);
-  RC_PRE(distance > 1e-6 && std::abs(distance - radius) > 1e-6);
+  RC_PRE(std::abs(distance) > 1e-6 && std::abs(std::abs(distance) - radius) > 1e-6);
   const auto touched = touchedBy({box.transform().point(local), radius}, root, {});
-  RC_ASSERT(touched.size() == (distance < radius ? 1U : 0U));
+  RC_ASSERT(touched.size() == (std::abs(distance) < radius ? 1U : 0U));
   if (!touched.empty()) RC_ASSERT(std::abs(touched[0].depth_m - (radius - distance)) < 1e-9);
 }
 

@@ -1,6 +1,7 @@
 #include "common/body/master/MasterSeat.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/body/Assemble.h"
 #include "common/body/Palette.h"
@@ -14,7 +15,8 @@ using enum Loft::Along;
 
 constexpr double kDriveWheel = 0.105;  // m, radii
 constexpr double kFrontWheel = 0.050;
-constexpr double kCorner = 0.30;  // of the platform's, cut off
+constexpr double kRecline = 0.10;  // rad, of the back that nobody leans on
+constexpr double kCorner = 0.30;   // of the platform's, cut off
 
 }  // namespace
 
@@ -68,8 +70,14 @@ void MasterSeat::buildSeat(const MasterLayout& l) {
                      {l.back_height, 0.024, half - 0.06}},
                     Ends::Both);
   assemble(*this, back_, "seat back", paint(palette::kSeat), {0.0, l.seat_top + 0.068, 0.150});
-  back_.setOrientation(TransformMatrix::rotationX(0.10));
+  back_.setOrientation(TransformMatrix::rotationX(kRecline));
   back_.attach(Surface{"foam", 4e3});
+}
+
+void MasterSeat::setPosture(const Posture& posture) {
+  const Coord3 spine = posture.t_body_thorax.vector({0.0, 1.0, 0.0});
+  const double lean = std::atan2(spine.z, std::max(spine.y, 0.0));  // backwards
+  back_.setOrientation(TransformMatrix::rotationX(kRecline + std::max(lean, 0.0)));
 }
 
 void MasterSeat::buildArmRest(const MasterLayout& l) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "common/body/Machined.h"
+#include "common/body/Posture.h"
 #include "common/body/master/MasterLayout.h"
 #include "common/scene/Polygon.h"
 
@@ -13,6 +14,8 @@ namespace coherency {
 class MasterSeat : public VRObject {
  public:
   explicit MasterSeat(const MasterLayout& layout);
+  /// The back gives way to who leans on it.
+  void setPosture(const Posture& posture);
 
  private:
   void buildPlatform(const MasterLayout& layout);

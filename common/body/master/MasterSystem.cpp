@@ -24,6 +24,7 @@ void MasterSystem::setSample(const Posture& posture, const MotionSample& sample)
   joystick_.set(sample.si(Dof::StickX), sample.si(Dof::StickY), sample.si(Dof::StickTwist));
   pedal_left_.set(sample.si(Dof::PedalLeft));
   pedal_right_.set(sample.si(Dof::PedalRight));
+  seat_.setPosture(posture);
   head_link_.setPosture(posture);
   exoskeleton_.setPosture(posture, Hand::knuckleBend(sample.si(Dof::Grip)));
 }
