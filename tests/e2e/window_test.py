@@ -30,7 +30,7 @@ class Window(SessionTest):
                           prefix=["env", f"DISPLAY={self.display}"])
 
     def text_brightness(self):
-        """Mean brightness of the screen where the left eye has its text, below the line of hints, from Xvfb's own frame buffer (XWD format)."""
+        """Mean brightness of the screen where the left eye has its text, beside a short line of it, from Xvfb's own frame buffer (XWD format)."""
         data = (self.folder / "Xvfb_screen0").read_bytes()
         header, line, colours = (struct.unpack_from(">I", data, at)[0] for at in (0, 48, 76))
         pixels = data[header + 12 * colours:]
@@ -39,7 +39,7 @@ class Window(SessionTest):
                                env=environment, capture_output=True, text=True, check=True).stdout
         at = dict(entry.split("=") for entry in found.split() if "=" in entry)
         x, y = max(int(at["X"]), 0), max(int(at["Y"]), 0)
-        rows = [pixels[(y + dy) * line + 4 * (x + 120):(y + dy) * line + 4 * (x + 220)] for dy in range(50, 80)]
+        rows = [pixels[(y + dy) * line + 4 * (x + 240):(y + dy) * line + 4 * (x + 340)] for dy in range(57, 68)]
         return sum(sum(row) for row in rows) / sum(len(row) for row in rows)
 
     def key(self, name):
