@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # Installs, builds, and runs one motion server and two eyes while a simulated operator drives to the table and builds a
 # tower of three blocks; leaves pictures of three moments of it in out/ (stereo_1.png to stereo_3.png: driving up, carrying,
-# done) and a report in words. Windows where there is a display, headless otherwise. In robot mode one is the slave robot.
+# done) and a report in words. Windows where there is a display, headless otherwise. In robot mode one is the slave robot;
+# with a recording nothing is built: one sees what its motion does.
 # Usage: demo.sh [--mode operator|robot] [--recording FILE] [--headless] [--size WxH]
 set -euo pipefail
+here=$PWD
 cd "$(dirname "$0")/.."
 
 seconds=27
 moments=5,19.4,24.5
 size=640x480
 judge=(--tower)
+shown=("driving up" carrying done)
 display=""
 server_options=()
 while [ $# -gt 0 ]; do
@@ -21,10 +24,16 @@ while [ $# -gt 0 ]; do
         *) echo "demo.sh: --mode must be operator or robot" >&2; exit 2 ;;
       esac
       server_options+=(--mode "$2"); shift 2 ;;
-    --recording) server_options+=(--recording "${2:?--recording needs a file}"); judge=(); shift 2 ;;
-    --size) size=${2:?--size needs WxH}; shift 2 ;;
+    --recording)
+      file=$(cd "$here" && realpath -m -- "${2:?--recording needs a file}")
+      [ -r "$file" ] || { echo "demo.sh: --recording $2: no file that can be read" >&2; exit 2; }
+      server_options+=(--recording "$file"); judge=(); shown=("after 5 s" "after 19.4 s" "after 24.5 s"); shift 2 ;;
+    --size)
+      size=${2:?--size needs WxH}
+      [[ $size =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || { echo "demo.sh: --size must be as in 640x480" >&2; exit 2; }
+      shift 2 ;;
     --headless) display=headless; shift ;;
-    -h | --help) sed -n '2,5s/^# //p' "$0"; exit 0 ;;
+    -h | --help) sed -n '2,6s/^# //p' "$0"; exit 0 ;;
     *) echo "demo.sh: unknown option '$1'; see --help" >&2; exit 2 ;;
   esac
 done
@@ -82,4 +91,4 @@ if [ "$failed" = yes ]; then
 fi
 echo "4/4 report"
 python3 scripts/coherency_check.py out "${judge[@]}"
-echo "pictures: out/stereo_1.png (driving up) out/stereo_2.png (carrying) out/stereo_3.png (done)"
+echo "pictures: out/stereo_1.png (${shown[0]}) out/stereo_2.png (${shown[1]}) out/stereo_3.png (${shown[2]})"
