@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
   app.add_option("--samples", settings.samples, "Antialiasing samples a pixel")->capture_default_str();
   app.add_option("--rays", settings.bake.rays, "Rays a vertex for the light of what never moves")
       ->capture_default_str();
+  app.add_flag("--no-clipping{false}", settings.clip, "Draw what is out of view, too");
   app.add_flag("--no-shadows{false}", settings.shadows, "Draw without shadows");
   CLI11_PARSE(app, argc, argv);
 

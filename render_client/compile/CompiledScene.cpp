@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "common/scene/Light.h"
 #include "render_client/compile/Refine.h"
@@ -27,6 +28,16 @@ Coord3 halfExtent(const std::vector<Vertex>& vertices, std::size_t first, std::s
     extent = glm::max(extent, glm::abs(glm::dvec3(p[0], p[1], p[2])));
   }
   return Coord3(extent);
+}
+
+double radius(const auto& vertices, std::size_t first, std::size_t last) {
+  double square = 0.0;
+  for (std::size_t v = first; v < last; ++v) {
+    const float(&p)[3] = vertices[v].position;
+    const glm::dvec3 position(p[0], p[1], p[2]);
+    square = std::max(square, glm::dot(position, position));
+  }
+  return std::sqrt(square);
 }
 
 /// Lamps' light varies over half a metre near them; what is larger than a room is scenery, which they do not
@@ -102,7 +113,8 @@ void CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
   if (mesh.indices.empty()) return;
   const Coord3 half_extent = halfExtent(mesh.vertices, 0, mesh.vertices.size());
   refine(mesh, lightingEdge(object, half_extent));
-  moving_.drawables.push_back({object.faces(), node, mesh.origin, half_extent, count(moving_.indices),
+  moving_.drawables.push_back({object.faces(), node, mesh.origin, half_extent,
+                               radius(mesh.vertices, 0, mesh.vertices.size()), count(moving_.indices),
                                count(mesh.indices), count(moving_.vertices)});
   moving_.vertices.insert(moving_.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
   moving_.indices.insert(moving_.indices.end(), mesh.indices.begin(), mesh.indices.end());
@@ -115,7 +127,7 @@ void CompiledScene::addFixed(const FixedMesh& mesh) {
   for (std::size_t i = 0; i < mesh.indices.size();) {
     const std::uint32_t number = mesh.vertices[mesh.indices[i]].object;
     const FixedObject& object = mesh.objects[number];
-    Drawable drawable{object.faces,          kWorld, object.origin,         {},
+    Drawable drawable{object.faces,          kWorld, object.origin,         {}, 0.0,
                       count(fixed_.indices), 0,      count(fixed_.vertices)};
     for (; i < mesh.indices.size() && mesh.vertices[mesh.indices[i]].object == number; ++i) {
       const std::uint32_t v = mesh.indices[i];
@@ -128,6 +140,7 @@ void CompiledScene::addFixed(const FixedMesh& mesh) {
     }
     drawable.index_count = count(fixed_.indices) - drawable.first_index;
     drawable.half_extent = halfExtent(fixed_.vertices, drawable.first_vertex, fixed_.vertices.size());
+    drawable.radius = radius(fixed_.vertices, drawable.first_vertex, fixed_.vertices.size());
     fixed_.drawables.push_back(drawable);
   }
   bake_.light = {};
@@ -136,6 +149,12 @@ void CompiledScene::addFixed(const FixedMesh& mesh) {
 void CompiledScene::update() {
   for (std::size_t n = 0; n < nodes_.size(); ++n)
     if (nodes_[n].object != nullptr) t_world_[n] = t_world_[nodes_[n].parent] * nodes_[n].object->transform();
+}
+
+Sphere CompiledScene::worldSphere(const Drawable& drawable) const {
+  const TransformMatrix& t_world_object = worldTransform(drawable);
+  const double scale = drawable.node == kWorld ? 1.0 : t_world_object.maxScale();
+  return {t_world_object.point(drawable.origin), scale * drawable.radius};
 }
 
 float CompiledScene::inSight(std::size_t lamp, const Coord3& place) const {

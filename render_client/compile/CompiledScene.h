@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/math/Frustum.h"
 #include "common/scene/VRObject.h"
 #include "render_client/compile/Bake.h"
 #include "render_client/compile/MeshBuilder.h"
@@ -15,6 +16,7 @@ struct Drawable {
   std::uint32_t node;    ///< for CompiledScene::worldTransform(); what never moves stands in the world itself
   Coord3 origin;         ///< of its vertices, in the node's frame: about the middle of its box
   Coord3 half_extent;    ///< of a box about them, in the node's axes
+  double radius;         ///< of a sphere about `origin` that holds them, in the node's frame
   std::uint32_t first_index = 0;
   std::uint32_t index_count = 0;
   std::uint32_t first_vertex = 0;
@@ -53,6 +55,8 @@ class CompiledScene {
   void update();
   /// T_world_node as of the last update().
   const TransformMatrix& worldTransform(const Drawable& drawable) const { return t_world_[drawable.node]; }
+  /// About all of it, whatever its transform does to it (block clipping, paper, section III.C.2).
+  Sphere worldSphere(const Drawable& drawable) const;
 
   /// How much of a lamp is in sight from about a place in the world (LightBaker::inSight()).
   float inSight(std::size_t lamp, const Coord3& place) const;

@@ -68,17 +68,17 @@ Sphere SphereTree::around(const std::vector<Sphere>& things, std::uint32_t first
   return all;
 }
 
-void SphereTree::findSeen(const ViewPyramid& view, std::vector<std::uint32_t>& seen) const {
+void SphereTree::findSeen(const ViewPyramids& views, std::vector<std::uint32_t>& seen) const {
   seen.insert(seen.end(), not_finite_.begin(), not_finite_.end());
   for (std::uint32_t n = 0; n < nodes_.size();) {
     const Node& node = nodes_[n];
-    const InView in_view = view.sees(node.sphere);
+    const InView in_view = views.sees(node.sphere);
     const auto begin = numbers_.begin() + node.first;
     if (in_view == InView::All) {
       seen.insert(seen.end(), begin, begin + node.count);
     } else if (in_view == InView::Part && node.count <= kFew) {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-        if (view.sees(spheres_[i]) != InView::None) seen.push_back(numbers_[i]);
+        if (views.sees(spheres_[i]) != InView::None) seen.push_back(numbers_[i]);
     } else if (in_view == InView::Part) {
       ++n;
       continue;

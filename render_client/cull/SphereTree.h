@@ -16,7 +16,7 @@ class SphereTree {
 
   /// Appends the numbers of the things of which something may be in view; each once, in the tree's order.
   /// What is not finite always may.
-  void findSeen(const ViewPyramid& view, std::vector<std::uint32_t>& seen) const;
+  void findSeen(const ViewPyramids& views, std::vector<std::uint32_t>& seen) const;
 
  private:
   /// In depth-first order: a node's descendants follow it, up to `end`.

@@ -28,4 +28,10 @@ InView ViewPyramid::sees(const Sphere& sphere) const {
   return least > reach && reach < std::numeric_limits<double>::infinity() ? InView::All : InView::Part;
 }
 
+InView ViewPyramids::sees(const Sphere& sphere) const {
+  InView most = views_.empty() ? InView::All : InView::None;
+  for (const ViewPyramid& view : views_) most = std::max(most, view.sees(sphere));
+  return most;
+}
+
 }  // namespace coherency

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "common/math/Frustum.h"
 
@@ -25,6 +27,18 @@ class ViewPyramid {
   Coord3 ahead_;
   double near_;
   std::array<Coord3, 4> inward_;  ///< normals of the sides, which all hold the eye
+};
+
+/// What the views of one frame take in together.
+class ViewPyramids {
+ public:
+  void clear() { views_.clear(); }
+  void add(const ViewPyramid& view) { views_.push_back(view); }
+  /// Part also where views each see another part. All where there are no views: then nothing is clipped.
+  InView sees(const Sphere& sphere) const;
+
+ private:
+  std::vector<ViewPyramid> views_;
 };
 
 }  // namespace coherency

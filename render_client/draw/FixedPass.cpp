@@ -4,6 +4,15 @@
 #include "render_client/draw/ShaderSources.h"
 
 namespace coherency {
+namespace {
+
+std::vector<Sphere> worldSpheres(const CompiledScene& scene) {
+  std::vector<Sphere> spheres;
+  for (const Drawable& drawable : scene.fixed().drawables) spheres.push_back(scene.worldSphere(drawable));
+  return spheres;
+}
+
+}  // namespace
 
 FixedPass::FixedPass(const CompiledScene& scene, int shadow_resolution)
     : plain_program_(makeProgram("fixed", fixedVertexShader({}), fragmentShader({}))),
@@ -12,6 +21,7 @@ FixedPass::FixedPass(const CompiledScene& scene, int shadow_resolution)
                                   fragmentShader({.shadow_resolution = shadow_resolution}))),
       plain_(scene.fixed().drawables.size()),
       shaded_(scene.fixed().drawables.size()),
+      spheres_(worldSpheres(scene)),
       order_(scene.fixed().drawables.size()),
       objects_(scene.fixed().drawables.size()),
       object_buffer_(GL_SHADER_STORAGE_BUFFER, objects_.size() * sizeof(Object)) {
@@ -19,10 +29,12 @@ FixedPass::FixedPass(const CompiledScene& scene, int shadow_resolution)
 }
 
 void FixedPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count,
-                      const OverheadShadow* shadow) {
+                      const ViewPyramids& views, const OverheadShadow* shadow) {
   object_buffer_.reserve(view_count);
+  seen_.clear();
+  spheres_.findSeen(views, seen_);
   order_.clear();
-  for (std::size_t i = 0; i < boxes_.size(); ++i) order_.add(i, distance(boxes_[i], eye));
+  for (const std::uint32_t i : seen_) order_.add(i, distance(boxes_[i], eye));
   order_.sort();
   plain_.clear();
   shaded_.clear();
@@ -37,7 +49,7 @@ void FixedPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t
 
 void FixedPass::draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene,
                      const SceneBuffers& buffers) {
-  for (std::size_t i = 0; i < objects_.size(); ++i) {
+  for (const std::uint32_t i : seen_) {
     const Drawable& drawable = scene.fixed().drawables[i];
     const Material& material = drawable.faces->material;
     objects_[i] = {glm::vec4(glm::dvec4((drawable.origin - eye).glm(), material.emission)),

@@ -4,6 +4,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "render_client/cull/SphereTree.h"
 #include "render_client/draw/DrawCommands.h"
 #include "render_client/draw/NearestFirst.h"
 #include "render_client/draw/OverheadShadow.h"
@@ -18,8 +19,8 @@ class FixedPass {
   /// `shadow_resolution`: texels a side of the map; 0: no shadows.
   FixedPass(const CompiledScene& scene, int shadow_resolution);
 
-  /// Chooses what is drawn in this frame, by all its views. `shadow` may be null.
-  void begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count,
+  /// Chooses what is drawn in this frame, by all its views: what one of them may see. `shadow` may be null.
+  void begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count, const ViewPyramids& views,
              const OverheadShadow* shadow);
   /// Draws view number `slot` of the frame, whose uniforms are bound, into the bound framebuffer.
   void draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene, const SceneBuffers& buffers);
@@ -38,6 +39,8 @@ class FixedPass {
   Program shaded_program_;
   DrawCommands plain_;
   DrawCommands shaded_;
+  SphereTree spheres_;
+  std::vector<std::uint32_t> seen_;
   NearestFirst order_;
   std::vector<WorldBox> boxes_;
   std::vector<Object> objects_;

@@ -16,12 +16,14 @@ MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, int s
       objects_(scene.moving().drawables.size()),
       object_buffer_(GL_SHADER_STORAGE_BUFFER, objects_.size() * sizeof(Object)) {}
 
-void MovingPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count) {
+void MovingPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count,
+                       const ViewPyramids& views) {
   object_buffer_.reserve(view_count);
   order_.clear();
   const std::vector<Drawable>& drawables = scene.moving().drawables;
   for (std::size_t i = 0; i < drawables.size(); ++i)
-    if (std::abs(handedness(scene.worldTransform(drawables[i]))) >= kFlat)
+    if (std::abs(handedness(scene.worldTransform(drawables[i]))) >= kFlat &&
+        views.sees(scene.worldSphere(drawables[i])) != InView::None)
       order_.add(i, distance(worldBox(scene, drawables[i]), eye));
   order_.sort();
   commands_.clear();

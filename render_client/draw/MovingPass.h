@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "render_client/cull/ViewPyramid.h"
 #include "render_client/draw/DrawCommands.h"
 #include "render_client/draw/NearestFirst.h"
 #include "render_client/draw/SceneBuffers.h"
@@ -22,8 +23,9 @@ class MovingPass {
   /// times the arithmetic).
   MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution);
 
-  /// Chooses what is drawn in this frame, by all its views.
-  void begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count);
+  /// Chooses what is drawn in this frame, by all its views: what one of them may see.
+  void begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count,
+             const ViewPyramids& views);
   /// Draws view number `slot` of the frame, whose uniforms are bound, into the bound framebuffer.
   void draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene, const SceneBuffers& buffers);
 

@@ -76,8 +76,11 @@ struct Renderer::Gl {
     // About the hands of whoever sits on it.
     const ChosenLamps chosen = lamps.at(t_world_vehicle.point({0.0, 1.1, -0.4}));
     uniforms.reserve(views.size());
-    moving.begin(compiled, eye, views.size());
-    fixed.begin(compiled, eye, views.size(), map);
+    pyramids.clear();
+    for (const EyeView& view : views)
+      if (settings.clip) pyramids.add({view.t_world_eye, view.view, view.near_m});
+    moving.begin(compiled, eye, views.size(), pyramids);
+    fixed.begin(compiled, eye, views.size(), pyramids, map);
     if (map != nullptr) map->bindTexture();
     for (std::size_t slot = 0; slot < views.size(); ++slot) {
       const EyeView& view = views[slot];
@@ -103,6 +106,7 @@ struct Renderer::Gl {
   LampChoice lamps;
   MovingPass moving;
   FixedPass fixed;
+  ViewPyramids pyramids;
   ViewUniforms uniforms;
   TextOverlay text;
   RenderTarget target;

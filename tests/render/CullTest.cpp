@@ -94,7 +94,8 @@ TEST(SphereTree, FindsExactlyWhatAskingOneByOneFinds) {
     for (Sphere& thing : things) thing = {chance.in(size), size * std::pow(10.0, chance.between(-4.0, 0.0))};
     if (scene % 5 == 0 && !things.empty()) things.front().radius = std::numeric_limits<double>::infinity();
     const SphereTree tree(things);
-    const ViewPyramid view = RandomView(chance, size).pyramid();
+    ViewPyramids view;
+    for (int views = 1 + scene % 3; views > 0; --views) view.add(RandomView(chance, size).pyramid());
     std::vector<std::uint32_t> expected;
     for (std::uint32_t i = 0; i < things.size(); ++i)
       if (view.sees(things[i]) != InView::None) expected.push_back(i);
@@ -108,8 +109,13 @@ TEST(SphereTree, FindsExactlyWhatAskingOneByOneFinds) {
 TEST(SphereTree, HoldsThingsThatAllStandInOnePlace) {
   const SphereTree tree(std::vector<Sphere>(1000, Sphere{{0.0, 0.0, -5.0}, 1.0}));
   std::vector<std::uint32_t> seen;
-  tree.findSeen(ViewPyramid({}, FieldOfView{}, 0.01), seen);
+  ViewPyramids views;
+  views.add(ViewPyramid({}, FieldOfView{}, 0.01));
+  tree.findSeen(views, seen);
   EXPECT_EQ(seen.size(), 1000U);
+  seen.clear();
+  tree.findSeen({}, seen);
+  EXPECT_EQ(seen.size(), 1000U) << "without a view nothing is clipped";
 }
 
 }  // namespace

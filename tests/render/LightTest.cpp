@@ -230,7 +230,7 @@ TEST_F(Shadow, IsLookedForOnlyWhereItCanBe) {
                        2.0);  // a wall: what is overhead does not shade it
   Box& block = scene.addMoving<Box>({0.0, -0.5, 0.0}, kRed, Coord3{0.1, 0.1, 0.1});
   block.setMaterial(matter());
-  Renderer renderer(scene, scene.illumination(), kWidth, kHeight);
+  Renderer renderer(scene, scene.illumination(), kWidth, kHeight, {.clip = false});
   EyeView view = lookingAhead({}, kWidth, kHeight);
   const auto counts = [&](double vehicle_x) {
     view.t_world_vehicle = TransformMatrix::translation({vehicle_x, -1.0, 0.7});

@@ -1,0 +1,110 @@
+// Pictures with block clipping are those without it, whatever the scene.
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "tests/render/Support.h"
+
+namespace coherency {
+namespace {
+
+constexpr int kWidth = 64;
+constexpr int kHeight = 48;
+
+class Clip : public DrawingTest {
+ protected:
+  double between(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
+  Coord3 within(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
+  double magnitude(double low, double high) { return std::pow(10.0, between(low, high)); }
+
+  /// Turned, stretched, sheared, one in three mirrored; about the origin, which is where the eye is.
+  TransformMatrix anyTransform() {
+    TransformMatrix t = TransformMatrix::translation(within(magnitude(-1.0, 1.0)));
+    t = t * TransformMatrix::rotation(within(1.0) + Coord3{0.0, 2.0, 0.0}, between(0.0, 6.0));
+    t(0, 1) += between(-1.0, 1.0);
+    return t * TransformMatrix::scaling({(between(0.0, 3.0) < 1.0 ? -1.0 : 1.0) * magnitude(-1.0, 0.7),
+                                         magnitude(-1.0, 0.7), magnitude(-1.0, 0.7)});
+  }
+
+  EyeView anyView() {
+    EyeView view = lookingAhead({}, kWidth, kHeight);
+    view.t_world_eye = TransformMatrix::translation(within(0.5)) *
+                       TransformMatrix::rotation(within(1.0) + Coord3{0.0, 2.0, 0.0}, between(0.0, 6.0));
+    const auto side = [&] { return std::tan(between(0.05, 89.9) * std::numbers::pi / 180.0); };
+    view.view = {side(), side(), side(), side()};
+    view.near_m = magnitude(-3.0, 0.0);
+    return view;
+  }
+
+  /// A colour that no other of a few thousand things has: one sees which it is.
+  static Material numbered(int number) {
+    return glow((number % 16 + 1) / 16.0, (number / 16 % 16 + 1) / 16.0, (number / 256 % 16 + 1) / 16.0);
+  }
+
+ private:
+  std::mt19937_64 engine_{7};
+};
+
+constexpr RendererSettings kClipped{.samples = 1, .shadows = false};
+constexpr RendererSettings kWhole{.samples = 1, .shadows = false, .clip = false};
+
+TEST_F(Clip, LeavesThePictureOfWhatMovesAsItIs) {
+  constexpr int kObjects = 24;
+  TestScene scene;
+  std::vector<VRObject*> objects;
+  for (int i = 0; i < kObjects; ++i) {
+    Box& box = scene.addMoving<Box>({}, numbered(10 * i), Coord3{1.0, 1.0, 1.0});
+    objects.push_back(&box);
+    // Half of them in chains, each in the frame of the one before.
+    if (i % 8 >= 4) {
+      scene.removeMember(&box);
+      objects[static_cast<std::size_t>(i) - 1]->addMember(&box);
+    }
+  }
+  Renderer clipped(scene, scene.illumination(), kWidth, kHeight, kClipped);
+  Renderer whole(scene, scene.illumination(), kWidth, kHeight, kWhole);
+  std::size_t left_out = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    for (VRObject* object : objects) object->setTransform(anyTransform());
+    const EyeView view = anyView();
+    const Image with = picture(clipped, {&view, 1});
+    ASSERT_EQ(shareDiffering(with, picture(whole, {&view, 1}), 0), 0.0) << "scene " << i;
+    left_out += whole.counts().moving - clipped.counts().moving;
+  }
+  EXPECT_GT(left_out, 10'000U * kObjects / 4) << "or it is of no use";
+}
+
+TEST_F(Clip, LeavesThePictureOfWhatNeverMovesAsItIs) {
+  for (int i = 0; i < 60; ++i) {
+    TestScene scene;
+    for (int k = 0; k < 40; ++k)
+      scene.add<Box>({}, numbered(6 * k), Coord3{1.0, 1.0, 1.0}).setTransform(anyTransform());
+    Renderer clipped(scene, scene.illumination(), kWidth, kHeight, kClipped);
+    Renderer whole(scene, scene.illumination(), kWidth, kHeight, kWhole);
+    for (int k = 0; k < 10; ++k) {
+      const EyeView view = anyView();
+      ASSERT_EQ(shareDiffering(picture(clipped, {&view, 1}), picture(whole, {&view, 1}), 0), 0.0)
+          << "scene " << i;
+    }
+  }
+}
+
+TEST_F(Clip, TwoViewsOfAFrameEachHaveWhatTheySee) {
+  TestScene scene;
+  scene.add<Box>({-5.0, 0.0, 0.0}, kRed, Coord3{1.0, 1.0, 1.0});
+  scene.addMoving<Box>({5.0, 0.0, 0.0}, kGreen, Coord3{1.0, 1.0, 1.0});
+  std::vector<EyeView> views(2, lookingAhead({}, kWidth, kHeight));
+  views[0].t_world_eye = TransformMatrix::rotationY(std::numbers::pi / 2.0);
+  views[1].t_world_eye = TransformMatrix::rotationY(-std::numbers::pi / 2.0);
+  views[1].x = kWidth;
+  Renderer renderer(scene, scene.illumination(), 2 * kWidth, kHeight, kClipped);
+  const Image both = picture(renderer, views);
+  EXPECT_GT(spot(both, Red, 0, kWidth).light, 0.0);
+  EXPECT_EQ(spot(both, Green, 0, kWidth).light, 0.0);
+  EXPECT_GT(spot(both, Green, kWidth, 2 * kWidth).light, 0.0);
+  EXPECT_EQ(spot(both, Red, kWidth, 2 * kWidth).light, 0.0);
+}
+
+}  // namespace
+}  // namespace coherency
