@@ -11,8 +11,8 @@ std::vector<std::string> ClientNews::since(const std::vector<ClientStatus>& clie
     const bool was = here_.contains(client.id);
     if (client.connected) now.insert(client.id);
     if (client.connected == was) continue;
-    news.push_back(fmt::format("client {} ({}) {} {}", client.id, client.eye,
-                               client.connected ? "has come from" : "has left for", client.address));
+    news.push_back(fmt::format("client {} at {} ({}) has {}", client.id, client.address, client.eye,
+                               client.connected ? "come" : "gone"));
   }
   here_ = std::move(now);
   return news;
