@@ -1,28 +1,40 @@
 #!/usr/bin/env python3
 """The chain's figures in one run: latency beside bare UDP, server's CPU with two clients, time to the first frame, frame
 time of an eye at 640x480 and at 1280x1440. Prints medians; several rounds show the spread.
-
-Usage: bench/chain.py [BUILD_FOLDER]   (default build/release)
 """
+import argparse
 import json
 import os
 import pathlib
 import re
 import statistics
 import subprocess
-import sys
 import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-BUILD = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release").resolve()
 ENVIRONMENT = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
 
 
-def start_server(folder):
+PROGRAMS = ("bench/bench_latency", "motion_server/motion_server", "render_client/render_client")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("build", nargs="?", type=pathlib.Path, default=ROOT / "build/release", metavar="BUILD_FOLDER",
+                        help="where the programs were built [build/release]")
+    build = parser.parse_args().build.resolve()
+    missing = [str(build / name) for name in PROGRAMS if not os.access(build / name, os.X_OK)]
+    if missing:
+        parser.error(f"{', '.join(missing)}: not there; build with -DCOHERENCY_BENCH=ON, as scripts/test.sh does, or name "
+                     "the folder of another build")
+    return build
+
+
+def start_server(build, folder):
     log = folder / "server.log"
     with open(log, "wb") as stderr:
-        server = subprocess.Popen([BUILD / "motion_server/motion_server", "--config",
+        server = subprocess.Popen([build / "motion_server/motion_server", "--config",
                                    ROOT / "configs/servers/laboratory.toml", "--listen", "127.0.0.1:0", "--stats-json",
                                    folder / "server.json"], stderr=stderr)
     while not (found := re.search(r"listening on (\S+)", log.read_text())):
@@ -35,17 +47,17 @@ def cpu_seconds(pid):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def start_eye(folder, address, eye, size, fps, seconds):
-    return subprocess.Popen([BUILD / "render_client/render_client", "--server", address, "--eye", eye, "--display",
+def start_eye(build, folder, address, eye, size, fps, seconds):
+    return subprocess.Popen([build / "render_client/render_client", "--server", address, "--eye", eye, "--display",
                              "headless", "--size", size, "--fps", str(fps), "--duration", str(seconds), "--stats-json",
                              folder / f"{eye}.json"], stderr=subprocess.DEVNULL, env=ENVIRONMENT)
 
 
-def round_of(folder, size, fps, eyes, seconds=8):
+def round_of(build, folder, size, fps, eyes, seconds=8):
     """(server's CPU share, statistics of each eye, of the server)."""
-    server, address = start_server(folder)
+    server, address = start_server(build, folder)
     try:
-        clients = [start_eye(folder, address, eye, size, fps, seconds) for eye in eyes]
+        clients = [start_eye(build, folder, address, eye, size, fps, seconds) for eye in eyes]
         time.sleep(2)
         before, begun = cpu_seconds(server.pid), time.monotonic()
         time.sleep(seconds - 4)
@@ -63,18 +75,19 @@ def spread(values):
 
 
 def main():
+    build = arguments()
     print(f"machine: {os.cpu_count()} cores, {open('/proc/cpuinfo').read().split('model name')[1].split(':')[1].splitlines()[0].strip()}")
-    subprocess.run([BUILD / "bench/bench_latency", "--seconds", "10"], check=True)
+    subprocess.run([build / "bench/bench_latency", "--seconds", "10"], check=True)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        rounds = [round_of(folder, "160x120", 10, ("left", "right")) for _ in range(3)]
+        rounds = [round_of(build, folder, "160x120", 10, ("left", "right")) for _ in range(3)]
         print("server's CPU at 1 kHz with two clients, % of a core:", spread([100 * r[0] for r in rounds]))
         print("start to first frame, ms:", spread([e["first_frame_ms"] for r in rounds for e in r[1]]))
         for size in ("640x480", "1280x1440"):
-            alone = [round_of(folder, size, 1000, ("left",))[1][0] for _ in range(3)]
+            alone = [round_of(build, folder, size, 1000, ("left",))[1][0] for _ in range(3)]
             print(f"one eye alone at {size}, as fast as it goes: frame, ms:", spread([e["frame_ms"]["p50"] for e in alone]),
                   " frames a second:", spread([e["fps"] for e in alone]))
-            both = [e for _ in range(3) for e in round_of(folder, size, 1000, ("left", "right"))[1]]
+            both = [e for _ in range(3) for e in round_of(build, folder, size, 1000, ("left", "right"))[1]]
             print(f"both eyes on this machine at {size}: frame, ms:", spread([e["frame_ms"]["p50"] for e in both]),
                   " frames a second:", spread([e["fps"] for e in both]))
         print("renderer:", alone[0]["renderer"])

@@ -16,17 +16,18 @@ std::int64_t periodNs(const ServerConfig& config) {
   return std::llround(1e9 / config.rate_hz);
 }
 
-/// What the configuration names and cannot be had is the configuration's fault.
-auto orConfigError(auto&& make) {
+/// What the configuration names and cannot be had is the configuration's fault. `file`: what to name, where
+/// the message does not.
+auto orConfigError(const std::string& file, auto&& make) {
   try {
     return make();
   } catch (const std::exception& e) {
-    throw ConfigError(e.what());
+    throw ConfigError(file.empty() ? e.what() : file + ": " + e.what());
   }
 }
 
 std::unique_ptr<Scene> sceneOf(const ServerConfig& config) {
-  return orConfigError([&] { return std::make_unique<Scene>(config.scene, config.rig); });
+  return orConfigError(config.scene_file, [&] { return std::make_unique<Scene>(config.scene, config.rig); });
 }
 
 OperatorTask operatorTask(const Scene& scene) {
@@ -46,14 +47,14 @@ std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scen
   if (config.master == "replay") {
     const ReplayOptions how{config.loop, config.seated ? HeadHeight::Seated : HeadHeight::Recorded};
     return orConfigError(
-        [&] { return std::make_unique<ReplayMaster>(readRecording(config.recording), config.rig, how); });
+        "", [&] { return std::make_unique<ReplayMaster>(readRecording(config.recording), config.rig, how); });
   }
   return std::make_unique<SimulatedMaster>(operatorTask(scene), config.rig, config.seed);
 }
 
 AuthorityConfig authorityConfig(const ServerConfig& config, const Scene& scene) {
   AuthorityConfig result;
-  result.start = scene.initialState(config.world_seed);
+  result.start = orConfigError(config.scene_file, [&] { return scene.initialState(config.world_seed); });
   result.start.mode = config.mode;
   result.dofs = scene.dofs();
   result.period_ns = periodNs(config);
@@ -130,6 +131,7 @@ ServerStats MotionServer::stats() const {
   stats.nominal_rate_hz = 1e9 / static_cast<double>(periodNs(options_.config));
   stats.clients = broadcaster_.clients();
   stats.rejected = broadcaster_.rejected();
+  stats.clients_served = broadcaster_.served();
   stats.stereo = broadcaster_.stereo();
   if (sampling_) {
     stats.missed = sampling_->jitter().missed.load();

@@ -1,19 +1,19 @@
 #include "motion_server/Options.h"
 
+#include <limits>
+#include <optional>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "common/config/CommandLine.h"
 #include "common/config/ConfigError.h"
 #include "common/config/Endpoint.h"
-#include "common/config/FiniteNumber.h"
-#include "common/config/SceneFile.h"
+#include "common/config/ReplaceFile.h"
+#include "common/config/Shipped.h"
 
 namespace coherency {
 namespace {
-
-bool isLoopback(const std::string& address) {
-  return address == "::1" || address.starts_with("127.");
-}
 
 void checkTogether(const ServerConfig& config, bool insecure) {
   if (config.master == "replay" && config.recording.empty())
@@ -28,52 +28,78 @@ void checkTogether(const ServerConfig& config, bool insecure) {
                     config.address));
 }
 
-}  // namespace
+/// One that is there, whether the programs were installed or only built.
+std::string firstConfig() {
+  const std::string folder = shippedFolder("servers");
+  return (folder.empty() ? "configs/servers" : folder) + "/laboratory.toml";
+}
 
-ServerOptions parseServerOptions(int argc, char** argv, int& exit_code) {
-  ServerOptions options;
-  std::string config_file, master, recording, listen, scene, mode;
+/// The command line's part that goes over the file's.
+struct Overrides {
+  std::string config_file, master, recording, scene, mode, listen;
   std::optional<std::uint64_t> world_seed;
+  bool has_scene = false;
   bool insecure = false;
-  CLI::App app{"Reads a 19-DOF master, steps the shared world and broadcasts both to render clients."};
-  app.add_option("--config", config_file, "server's TOML file (see share/coherency/servers/); required");
-  app.add_option("--master", master, "overrides master.kind: simulated or replay")
+};
+
+void declare(CLI::App& app, Overrides& over, ServerOptions& options) {
+  app.add_option("--config", over.config_file,
+                 fmt::format("server's TOML file; required. One to begin with: {}", firstConfig()));
+  app.add_option("--master", over.master, "overrides master.kind: simulated or replay")
       ->check(CLI::IsMember({"simulated", "replay"}));
-  app.add_option("--recording", recording, "CSV of recorded motion; implies --master replay");
-  app.add_option("--scene", scene,
+  app.add_option("--recording", over.recording, "CSV of recorded motion; implies --master replay");
+  app.add_option("--scene", over.scene,
                  "overrides scene: a name of configs/scenes/, as corridor or grid:1000, or a TOML file");
-  app.add_option("--mode", mode,
+  app.add_option("--mode", over.mode,
                  "overrides mode: operator or robot [operator]; F3 in a client's window switches")
       ->check(CLI::IsMember({"operator", "robot"}));
-  app.add_option("--world-seed", world_seed, "scatters what can be grasped anew [0: as the scene has it]");
-  app.add_option("--listen", listen, "ADDR:PORT for TCP and UDP [127.0.0.1:7430]; port 0 takes a free one");
-  app.add_flag("--insecure", insecure,
+  app.add_option("--world-seed", over.world_seed,
+                 "scatters what can be grasped anew [0: as the scene has it]")
+      ->check(whole(0, std::numeric_limits<std::int64_t>::max()));
+  app.add_option("--listen", over.listen,
+                 "ADDR:PORT for TCP and UDP [127.0.0.1:7430]; port 0 takes a free one");
+  app.add_flag("--insecure", over.insecure,
                "allow addresses other than loopback although the link is not encrypted");
   app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C]")
       ->check(finite(0.0, 1e9));
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
   app.add_flag("--list-devices", options.list_devices, "list USB devices and end");
+  app.add_flag("--list-objects", options.list_objects,
+               "list the kinds of objects that scenes can name and end");
   app.set_version_flag("--version", COHERENCY_VERSION);
+}
+
+ServerConfig configured(const Overrides& over) {
+  if (over.config_file.empty())
+    throw ConfigError("--config FILE is missing; a good one to begin with is " + firstConfig());
+  ServerConfig config = readServerConfig(over.config_file);
+  if (over.has_scene) setScene(config, over.scene);
+  if (!over.mode.empty()) config.mode = over.mode == "robot" ? Mode::Robot : Mode::Operator;
+  if (over.world_seed) config.world_seed = *over.world_seed;
+  if (!over.recording.empty()) config.recording = over.recording, config.master = "replay";
+  if (!over.master.empty()) config.master = over.master;
+  if (!over.listen.empty()) {
+    const Endpoint endpoint = parseListenEndpoint(over.listen, config.port);
+    config.address = endpoint.host;
+    config.port = endpoint.port;
+  }
+  checkTogether(config, over.insecure);
+  return config;
+}
+
+}  // namespace
+
+ServerOptions parseServerOptions(int argc, char** argv, int& exit_code) {
+  ServerOptions options;
+  Overrides over;
+  CLI::App app{"Reads a 19-DOF master, steps the shared world and broadcasts both to render clients."};
   try {
-    app.parse(argc, argv);
-    if (options.list_devices) return options;
-    if (config_file.empty())
-      throw ConfigError(
-          "--config FILE is missing; a good one to begin with is configs/servers/laboratory.toml");
-    options.config = readServerConfig(config_file);
-    if (!scene.empty()) options.config.scene = readScene(scene, options.config.scenes_folder);
-    if (!mode.empty()) options.config.mode = mode == "robot" ? Mode::Robot : Mode::Operator;
-    if (world_seed) options.config.world_seed = *world_seed;
-    if (!recording.empty()) options.config.recording = recording, options.config.master = "replay";
-    if (!master.empty()) options.config.master = master;
-    if (!listen.empty()) {
-      const Endpoint endpoint = parseEndpoint(listen, options.config.port);
-      options.config.address = endpoint.host == "localhost" ? "127.0.0.1" : endpoint.host;
-      options.config.port = endpoint.port;
-    }
-    checkTogether(options.config, insecure);
-  } catch (const CLI::ParseError& e) {
-    exit_code = app.exit(e) == 0 ? 0 : 2;
+    declare(app, over, options);
+    exit_code = parseArguments(app, argc, argv, "motion_server");
+    if (exit_code >= 0 || options.list_devices || options.list_objects) return options;
+    over.has_scene = app.count("--scene") > 0;
+    options.config = configured(over);
+    checkReplaceable("--stats-json", options.stats_json);
   } catch (const ConfigError& e) {
     fmt::print(stderr, "motion_server: {}\n", e.what());
     exit_code = 2;

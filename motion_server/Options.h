@@ -12,6 +12,7 @@ struct ServerOptions {
   double duration_s = 0.0;  ///< 0: until a signal
   std::string stats_json;   ///< empty: none
   bool list_devices = false;
+  bool list_objects = false;
 };
 
 /// Parses arguments and reads the configuration they name. `exit_code` is set where the program should end at

@@ -62,10 +62,14 @@ Json refusedByDof(const ServerStats& stats) {
 std::string statusLine(const ServerStats& stats) {
   const auto connected = std::count_if(stats.clients.begin(), stats.clients.end(),
                                        [](const ClientStatus& c) { return c.connected; });
-  return fmt::format(
-      "{}: {:.1f} s, {:.0f} Hz, jitter p99 {:.0f} us, {} clients, eyes agree on {} of {} frames",
-      stats.master, stats.duration_s, rate(stats), stats.period_jitter_us.p99, connected,
-      stats.stereo.frames_agreeing, stats.stereo.frames_compared);
+  const StereoStatus& stereo = stats.stereo;
+  const std::string agreement =
+      stereo.frames_compared == 0
+          ? ""
+          : fmt::format(", eyes agree on {} of {} frames", stereo.frames_agreeing, stereo.frames_compared);
+  return fmt::format("{}: {:.1f} s, {:.0f} Hz, jitter p99 {:.0f} us, {} clients now, {} served{}",
+                     stats.master, stats.duration_s, rate(stats), stats.period_jitter_us.p99, connected,
+                     stats.clients_served, agreement);
 }
 
 std::string statsJson(const ServerStats& stats) {
@@ -86,6 +90,7 @@ std::string statsJson(const ServerStats& stats) {
                     {"lateness_us", json(stats.lateness_us)},
                     {"refused_values", refusedByDof(stats)},
                     {"clients", clients},
+                    {"clients_served", stats.clients_served},
                     {"rejected",
                      {{"malformed", r.malformed},
                       {"foreign", r.foreign},

@@ -25,7 +25,8 @@ struct ServerStats {
   Spread period_jitter_us;   ///< how far the time between two samples was off the period
   Spread lateness_us;        ///< of a sample after its moment on the schedule
   std::array<std::uint64_t, kDofCount> refused{};  ///< values the master gave that were out of range, by DOF
-  std::vector<ClientStatus> clients;
+  std::vector<ClientStatus> clients;               ///< connected, and the newest of those that have left
+  std::uint64_t clients_served = 0;
   RejectCounts rejected;
   StereoStatus stereo;
 };

@@ -19,12 +19,12 @@ std::string clockText(const LinkStats& link) {
 }  // namespace
 
 std::string statusLine(const ClientStats& stats) {
+  const std::string eye = stats.eye == "both" ? "both eyes" : stats.eye + " eye";
   if (!stats.link.connected)
-    return fmt::format("{} eye: no server for {:.1f} s, holding the last pose", stats.eye,
-                       stats.motion_age_ms / 1e3);
-  return fmt::format("{} eye: {:.1f} fps, frame {:.1f} ms, motion to picture {:.1f} ms, lost {}, {}",
-                     stats.eye, stats.fps, stats.frame_ms.p50, stats.motion_to_present_ms.p50,
-                     stats.link.lost, clockText(stats.link));
+    return fmt::format("{}: no server for {:.1f} s, holding the last pose", eye, stats.motion_age_ms / 1e3);
+  return fmt::format("{}: {:.1f} fps, frame {:.1f} ms, motion to picture {:.1f} ms, lost {}, {}", eye,
+                     stats.fps, stats.frame_ms.p50, stats.motion_to_present_ms.p50, stats.link.lost,
+                     clockText(stats.link));
 }
 
 std::string overlayText(const ClientStats& stats) {

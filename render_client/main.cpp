@@ -6,6 +6,7 @@
 
 #include "common/config/LiveFile.h"
 #include "common/sync/Clock.h"
+#include "render_client/LinkNews.h"
 #include "render_client/Options.h"
 #include "render_client/RenderClient.h"
 #include "render_client/StatsReport.h"
@@ -17,11 +18,19 @@ int main(int argc, char** argv) {
   if (exit_code >= 0) return exit_code;
   try {
     const MonotonicClock clock;
+    const std::string server = describe(options.server);
+    fmt::print(stderr, "{} eye{}: asking the server at {}, for {} s at most\n", options.eye,
+               options.eye == "both" ? "s" : "", server, options.wait_s);
     RenderClient client(options, clock);
+    const ClientStats begun = client.stats();
+    fmt::print(stderr, "drawing {} with {}\n", begun.scene, begun.renderer);
     const bool terminal = isatty(STDERR_FILENO) != 0;
-    LiveFile statistics(options.stats_json, statsJson(client.stats()));
+    LiveFile statistics(options.stats_json, statsJson(begun));
+    LinkNews news(server);
     client.run([&](const ClientStats& stats) {
       statistics.update(statsJson(stats));
+      if (const auto line = news.since(stats.link))
+        fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", *line);
       if (terminal) fmt::print(stderr, "\r\033[K{}", statusLine(stats));
     });
     statistics.finish(statsJson(client.stats()));

@@ -140,22 +140,34 @@ def server_faults(server):
         yield f"only {stereo['frames_agreeing']} of {stereo['frames_compared']} frames agree between the eyes"
 
 
+def counted(number, what):
+    return f"{number} {what}" + ("" if number == 1 else "s")
+
+
+def is_software(renderer):
+    return any(name in renderer.lower() for name in ("llvmpipe", "softpipe", "swrast"))
+
+
 def describe(server, eyes):
     print(f"server: {server['samples']} samples of {server['master']} at {server['rate_hz']:.0f} Hz, "
           f"period jitter {server['period_jitter_us']['p50']:.0f} us median, "
-          f"{server['period_jitter_us']['p99']:.0f} us p99")
+          f"{server['period_jitter_us']['p99']:.0f} us p99, {counted(server['missed'], 'period')} missed")
     for name, eye in eyes.items():
         latency = eye["motion_to_present_ms"]
         print(f"{name} eye: {eye['frames']} frames of {eye['size'][0]}x{eye['size'][1]}, {eye['fps']:.1f} a second, "
               f"{eye['frame_ms']['p50']:.1f} ms each; motion to picture {latency['p50']:.1f} ms median, "
               f"{latency['p99']:.1f} ms p99; {eye['packets']['received']} packets, {eye['packets']['lost']} lost")
+    for renderer in sorted({eye["renderer"] for eye in eyes.values()}):
+        print(f"drawn by {renderer}" + ("; this is software, a GPU is faster" if is_software(renderer) else ""))
     task = server["task"]
     if task["towers"]:
-        print(f"task: {task['towers']} tower(s) of three blocks, the last {task['tower_s'] - task['started_s']:.1f} s after "
+        print(f"task: {counted(task['towers'], 'tower')} of three blocks, the last {task['tower_s'] - task['started_s']:.1f} s after "
               f"the joystick first moved, as {server['mode']}")
     stereo = server["stereo"]
-    print(f"both eyes: {stereo['frames_agreeing']} of {stereo['frames_compared']} frames show the same state; shown "
-          f"{stereo['present_skew_us']['p50'] / 1000:.1f} ms apart at the median")
+    drawn = " and ".join(str(eye["frames"]) for eye in eyes.values())
+    print(f"both eyes: of {drawn} frames drawn, {stereo['frames_compared']} were of the same sample; of these "
+          f"{stereo['frames_agreeing']} show the same state, {stereo['present_skew_us']['p50'] / 1000:.1f} ms apart at the "
+          "median")
 
 
 def load(folder, name, since):
@@ -208,7 +220,7 @@ def main():
         faults += stereo_faults(arguments.folder, moment, since)
     for fault in faults:
         print(f"WRONG: {fault}")
-    print("verdict: " + ("all is well" if not faults else f"{len(faults)} faults"))
+    print("verdict: " + ("all is well" if not faults else counted(len(faults), "fault")))
     return 1 if faults else 0
 
 

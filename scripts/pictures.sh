@@ -14,8 +14,9 @@ for mode in operator robot; do
   cp out/stereo_3.png "$pictures/${mode}_tower.png"
 done
 view() { "$look" laboratory "$pictures/$1.png" --size 640x480 "${@:2}"; }
-view laboratory --camera 2.2,1.6,2.2,40,-12 --fov 75
+view laboratory --camera 2.8,1.7,-2.2,115,-12 --fov 75
 view corridor --camera 4.76,1.2,6.1,0,-3 --base 4.76,-5,0 --fov 75
+view door --camera 5.0,1.4,-0.2,130,-6 --fov 80 --doors 0.5 0.5 0.5 0.5
 view office --camera 6.5,1.6,2.3,-45,-12 --fov 75
 view meeting_room --camera 2.9,1.5,3.6,125,-10 --fov 75
 view robot --robot-base 0,0.2,0 --base 2.4,2.2,0 --set shoulder_flexion=0.5 --camera 1.0,1.35,-1.2,144,-14 --fov 50

@@ -1,5 +1,10 @@
 #include "common/config/HmdProfile.h"
 
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "common/config/Shipped.h"
 #include "common/config/TomlTable.h"
 
 namespace coherency {
@@ -20,9 +25,26 @@ FieldOfView readView(TomlTable& root, std::string_view key) {
   return fieldOfViewFromDegrees(left, right, down, up);
 }
 
+std::string fileOf(const std::string& name) {
+  const std::filesystem::path path(name);
+  if (path.extension() == ".toml" || path.has_parent_path()) return name;
+  const std::string folder = shippedFolder("hmds");
+  std::string file = (std::filesystem::path(folder) / (name + ".toml")).string();
+  std::error_code ignored;
+  if (folder.empty() || !std::filesystem::is_regular_file(file, ignored))
+    throw ConfigError(
+        fmt::format("HMD profile \"{}\" is not known; there are {}, or name a TOML file", name, hmdNames()));
+  return file;
+}
+
 }  // namespace
 
-HmdProfile readHmdProfile(const std::string& path) {
+std::string hmdNames() {
+  return namesIn(shippedFolder("hmds"));
+}
+
+HmdProfile readHmdProfile(const std::string& name) {
+  const std::string path = fileOf(name);
   const toml::table parsed = parseTomlFile(path);
   TomlTable root(&parsed, path, "");
   HmdProfile profile;

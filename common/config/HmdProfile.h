@@ -17,8 +17,10 @@ struct HmdProfile {
   FieldOfView right = fieldOfViewFromDegrees(44.0, 52.0, 48.0, 48.0);
 };
 
-/// Throws ConfigError.
-HmdProfile readHmdProfile(const std::string& path);
+/// `name` is a path where it ends in .toml, else one of hmdNames(). Throws ConfigError.
+HmdProfile readHmdProfile(const std::string& name);
+/// Profiles that come with the programs, with commas between.
+std::string hmdNames();
 
 /// The view between the eyes: the mean of both.
 FieldOfView monoView(const HmdProfile& profile);

@@ -7,6 +7,9 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include "common/config/ConfigError.h"
 
 namespace coherency {
 
@@ -29,6 +32,22 @@ void replaceFile(const std::string& path, const std::string& text) {
   if (!in_place) fs::remove(written, ignored);
   throw std::runtime_error(fmt::format(
       "{}: cannot be written: {}; name a file where there is room and permission", path, failure.message()));
+}
+
+void checkReplaceable(const std::string& option, const std::string& path) {
+  if (path.empty()) return;
+  const auto refuse = [&](const std::string& why) {
+    throw ConfigError(
+        fmt::format("{} {}: {}; name a file where there is room and permission", option, path, why));
+  };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) refuse("is a folder");
+  const bool in_place = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+  const fs::path folder = fs::path(path).parent_path();
+  const fs::path written = in_place ? fs::path(path) : (folder.empty() ? fs::path(".") : folder);
+  if (!in_place && !fs::is_directory(written, ignored)) refuse("there is no folder " + written.string());
+  if (::access(written.c_str(), W_OK) != 0)
+    refuse("cannot be written: " + std::generic_category().message(errno));
 }
 
 }  // namespace coherency

@@ -10,4 +10,9 @@ namespace coherency {
 /// the remedy.
 void replaceFile(const std::string& path, const std::string& text);
 
+/// Whether replaceFile() can be expected to work, without touching anything: throws ConfigError naming
+/// `option` where the folder is missing or may not be written to, or where `path` is a folder. An empty path
+/// stands for no file.
+void checkReplaceable(const std::string& option, const std::string& path);
+
 }  // namespace coherency

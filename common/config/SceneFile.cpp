@@ -6,52 +6,58 @@
 
 #include <fmt/format.h>
 
+#include "common/config/Shipped.h"
 #include "common/config/TomlTable.h"
 #include "common/math/FixedPoint.h"
 #include "common/world/Catalogue.h"
+#include "common/world/Names.h"
 
 namespace coherency {
 namespace {
 
-constexpr double kFar = 1e9;  // m, the end of the world
+constexpr double kFar = kWorldLimit;
 constexpr double kDegree = kTurn / 360.0;
-constexpr std::int64_t kMaxCount = 10'000'000;
-constexpr std::size_t kMaxObjects = 200;
-
-/// Names of the scenes in a folder, in order.
-std::string known(const std::string& folder) {
-  std::set<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".toml") names.insert(entry.path().stem().string());
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
-}
 
 struct Reference {
-  std::string name;
+  std::string name;  ///< of the session's scene, with its count
   std::string file;
   std::int64_t count = 0;
 };
 
+std::int64_t countIn(const std::string& scene, std::string_view digits) {
+  std::int64_t count = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+  if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size() || count < 1 ||
+      count > kMaxSceneParts)
+    throw ConfigError(fmt::format("scene \"{}\": after the colon must stand a whole number from 1 to {}",
+                                  scene, kMaxSceneParts));
+  return count;
+}
+
 Reference resolve(const std::string& scene, const std::string& folder) {
   const std::filesystem::path path(scene);
-  if (path.extension() == ".toml") return {path.stem().string(), scene};
-  Reference reference;
-  const std::size_t colon = scene.find(':');
-  reference.name = scene.substr(0, colon);
-  if (colon != std::string::npos) {
-    const std::string_view digits = std::string_view(scene).substr(colon + 1);
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), reference.count);
-    if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size() || reference.count < 1 ||
-        reference.count > kMaxCount)
-      throw ConfigError(fmt::format("scene \"{}\": after the colon must stand a whole number from 1 to {}",
-                                    scene, kMaxCount));
+  if (path.extension() == ".toml") {
+    Reference file{path.stem().string(), scene};
+    if (!isSceneName(file.name))
+      throw ConfigError(
+          fmt::format("{}: the file's name is the scene's, which every machine shows: it must be of A-Z a-z "
+                      "0-9 _ - . only; rename the file",
+                      scene));
+    return file;
   }
-  reference.file = (std::filesystem::path(folder) / (reference.name + ".toml")).lexically_normal().string();
+  const std::size_t colon = scene.find(':');
+  const std::string name = scene.substr(0, colon);
+  const std::string there_are = fmt::format("there are, in {}: {}", folder, namesIn(folder));
+  if (!isSceneName(scene) || name.empty())
+    throw ConfigError(
+        fmt::format("scene \"{}\" is no name, which is of A-Z a-z 0-9 _ - . only, and no path, "
+                    "which ends in .toml; {}",
+                    scene, there_are));
+  Reference reference{scene, (std::filesystem::path(folder) / (name + ".toml")).lexically_normal().string()};
+  if (colon != std::string::npos) reference.count = countIn(scene, std::string_view(scene).substr(colon + 1));
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(reference.file, ignored))
-    throw ConfigError(fmt::format("scene \"{}\" is not known; there are, in {}: {}", reference.name, folder,
-                                  known(folder)));
+    throw ConfigError(fmt::format("scene \"{}\" is not known; {}", name, there_are));
   return reference;
 }
 
@@ -61,24 +67,73 @@ BasePose readBase(TomlTable& table, std::string_view key, const BasePose& fallba
   return values.empty() ? fallback : basePose(values[0], values[1], values[2] * kDegree);
 }
 
+std::string readKind(TomlTable& table) {
+  if (!table.has("kind"))
+    throw table.error("kind",
+                      "is missing; write what the object is, as kind = \"table\" (motion_server "
+                      "--list-objects lists what there is)");
+  std::string kind = table.text("kind", "");
+  if (findKind(kind) != nullptr) return kind;
+  std::vector<std::string_view> known;
+  for (const CatalogueEntry& e : catalogue()) known.push_back(e.kind);
+  throw table.error("kind",
+                    fmt::format("\"{}\" is no kind of object; there are {}", kind, fmt::join(known, ", ")));
+}
+
 ObjectPlacement readObject(TomlTable& table, std::int64_t count) {
   ObjectPlacement object;
-  object.kind = table.text("kind", "");
-  const CatalogueEntry* entry = findKind(object.kind);
-  if (entry == nullptr) {
-    std::string known;
-    for (const CatalogueEntry& e : catalogue()) known += (known.empty() ? "" : ", ") + std::string(e.kind);
-    throw table.error("kind", fmt::format("\"{}\" is no kind of object; there are {}", object.kind, known));
-  }
-  object.name = table.text("name", object.kind);
+  object.kind = readKind(table);
+  object.name = table.plainText("name", object.kind);
   const std::vector<double> at = table.numbers("position", 3, -kFar, kFar);
   if (!at.empty())
     object.place = {nanometresFromMetres(at[0]), nanometresFromMetres(at[1]), nanometresFromMetres(at[2]), 0};
   object.place.heading_units = unitsFromRadians(table.number("heading", 0.0, -3600.0, 3600.0) * kDegree);
   object.colour = table.text("colour", "");
-  if (entry->counted) object.count = static_cast<std::int32_t>(table.integer("count", count, 1, kMaxCount));
+  if (findKind(object.kind)->counted)
+    object.count = static_cast<std::int32_t>(table.integer("count", count, 1, kMaxSceneParts));
   table.finish();
+  if (const auto fault = faultOf(object)) throw table.error(fault->key, fault->what);
   return object;
+}
+
+/// What several objects can have wrong together, with the line of the one that is too much.
+class ObjectReader {
+ public:
+  explicit ObjectReader(std::int64_t count) : count_(count) {}
+
+  ObjectPlacement read(TomlTable& table) {
+    ObjectPlacement object = readObject(table, count_);
+    if (!names_.insert(object.name).second)
+      throw table.error(
+          "name", fmt::format("two objects are called '{}'; give one of them another name", object.name));
+    parts_ += object.count;
+    if (parts_ > kMaxSceneParts)
+      throw table.error("count", fmt::format("all counts of a scene together may be {}; with this one they "
+                                             "are {}",
+                                             kMaxSceneParts, parts_));
+    count_taken_ = count_taken_ || (object.count > 0 && !table.has("count"));
+    return object;
+  }
+  bool countTaken() const { return count_taken_; }
+
+ private:
+  std::int64_t count_;
+  std::int64_t parts_ = 0;
+  bool count_taken_ = false;
+  std::set<std::string> names_;
+};
+
+void readObjects(TomlTable& root, const Reference& reference, SceneDescription& description) {
+  std::vector<TomlTable> tables = root.tables("object");
+  if (tables.size() > kMaxSceneObjects)
+    throw root.error("object",
+                     fmt::format("{} objects; a scene may name {}", tables.size(), kMaxSceneObjects));
+  ObjectReader reader(reference.count);
+  for (TomlTable& table : tables) description.objects.push_back(reader.read(table));
+  if (reference.count > 0 && !reader.countTaken())
+    throw ConfigError(fmt::format("scene \"{}\": nothing in {} takes its count from there; write \"{}\"",
+                                  reference.name, reference.file,
+                                  reference.name.substr(0, reference.name.find(':'))));
 }
 
 std::optional<RobotPlacement> readRobot(TomlTable& root) {
@@ -109,19 +164,20 @@ SceneDescription readScene(const std::string& scene, const std::string& folder) 
   const toml::table parsed = parseTomlFile(reference.file);
   TomlTable root(&parsed, reference.file, "");
   SceneDescription description;
-  description.name = reference.count > 0 ? scene : reference.name;
+  description.name = reference.name;
   description.operator_shown = root.oneOf("operator", "whole", {"whole", "eyes"}) == "whole";
   description.driving = root.flag("driving", true);
   description.start = readBase(root, "start", {});
   description.workplace = readBase(root, "workplace", description.start);
   description.robot = readRobot(root);
   description.scatter = readScatter(root);
-  std::vector<TomlTable> objects = root.tables("object");
-  if (objects.size() > kMaxObjects)
-    throw root.error("object", fmt::format("{} objects; a scene may name {}", objects.size(), kMaxObjects));
-  for (TomlTable& object : objects) description.objects.push_back(readObject(object, reference.count));
+  readObjects(root, reference, description);
   root.finish();
   return description;
+}
+
+std::string sceneFile(const std::string& scene, const std::string& folder) {
+  return resolve(scene, folder).file;
 }
 
 }  // namespace coherency

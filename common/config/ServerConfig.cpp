@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "common/config/Endpoint.h"
 #include "common/config/RigFile.h"
 #include "common/config/SceneFile.h"
+#include "common/config/Shipped.h"
 #include "common/config/TomlTable.h"
 
 namespace coherency {
@@ -17,14 +19,13 @@ std::string besideFile(const std::string& file, const std::string& path) {
   return path.empty() ? path : (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
 }
 
-/// Beside the file's folder; for a file somewhere else, where the programs were installed.
+/// Beside the file's folder; for a file somewhere else, what comes with the programs.
 std::string scenesFolder(const std::string& file) {
   std::string beside = besideFile(file, "../scenes");
   std::error_code ignored;
   if (std::filesystem::is_directory(beside, ignored)) return beside;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const auto installed = program.parent_path() / "../share/coherency/scenes";
-  return std::filesystem::is_directory(installed, ignored) ? installed.lexically_normal().string() : beside;
+  const std::string shipped = shippedFolder("scenes");
+  return shipped.empty() ? beside : shipped;
 }
 
 void readMaster(TomlTable& root, const std::string& path, ServerConfig& config) {
@@ -44,6 +45,11 @@ void readMaster(TomlTable& root, const std::string& path, ServerConfig& config) 
 
 }  // namespace
 
+void setScene(ServerConfig& config, const std::string& scene) {
+  config.scene = readScene(scene, config.scenes_folder);
+  config.scene_file = sceneFile(scene, config.scenes_folder);
+}
+
 ServerConfig readServerConfig(const std::string& path) {
   const toml::table parsed = parseTomlFile(path);
   TomlTable root(&parsed, path, "");
@@ -52,7 +58,7 @@ ServerConfig readServerConfig(const std::string& path) {
   const std::string scene = root.text("scene", "laboratory");
   const bool is_path = scene.ends_with(".toml");
   try {
-    config.scene = readScene(is_path ? besideFile(path, scene) : scene, config.scenes_folder);
+    setScene(config, is_path ? besideFile(path, scene) : scene);
   } catch (const ConfigError& e) {
     throw root.error("scene", e.what());
   }
@@ -61,9 +67,17 @@ ServerConfig readServerConfig(const std::string& path) {
   config.world_seed =
       static_cast<std::uint64_t>(root.integer("world_seed", 0, 0, std::numeric_limits<std::int64_t>::max()));
   const std::string rig = root.text("rig", "");
-  if (!rig.empty()) config.rig = readRig(besideFile(path, rig));
+  if (!rig.empty()) config.rig = readRig(besideFile(path, rig), &config.rig_defaults);
   TomlTable network = root.table("network");
-  config.address = network.text("address", config.address);
+  const std::string address = network.text("address", config.address);
+  const auto numeric = listenAddress(address);
+  if (!numeric)
+    throw network.error("address",
+                        fmt::format("\"{}\" is no address of this machine to listen on; right would "
+                                    "be \"127.0.0.1\", \"::1\" or, for all of this machine's, "
+                                    "\"0.0.0.0\"",
+                                    address));
+  config.address = *numeric;
   config.port = static_cast<std::uint16_t>(network.integer("port", config.port, 0, 65535));
   config.redundancy = static_cast<int>(network.integer("redundancy", config.redundancy, 0, 7));
   config.max_clients = static_cast<int>(network.integer("max_clients", config.max_clients, 1, 1024));

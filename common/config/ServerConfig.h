@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/body/Rig.h"
 #include "common/world/SceneDescription.h"
@@ -12,11 +13,13 @@ namespace coherency {
 /// Everything a motion server needs to know (configs/servers/).
 struct ServerConfig {
   std::string scenes_folder;  ///< where scenes are found by name: the file's ../scenes, else where installed
+  std::string scene_file;
   SceneDescription scene;
   Rig rig;
-  Mode mode = Mode::Operator;    ///< that the session begins in
-  std::uint64_t world_seed = 0;  ///< of what is scattered; 0: as the scene has it
-  std::string address = "127.0.0.1";
+  std::vector<std::string> rig_defaults;  ///< measures that the rig's file leaves out
+  Mode mode = Mode::Operator;             ///< that the session begins in
+  std::uint64_t world_seed = 0;           ///< of what is scattered; 0: as the scene has it
+  std::string address = "127.0.0.1";      ///< numeric (listenAddress())
   std::uint16_t port = 7430;
   int redundancy = 2;  ///< earlier samples in each packet, 0..7
   int max_clients = 64;
@@ -27,6 +30,9 @@ struct ServerConfig {
   bool loop = true;
   bool seated = true;  ///< recorded head moved to the rig's sitting height; false: as recorded
 };
+
+/// Takes another scene, by a name in scenes_folder or a path. Throws ConfigError.
+void setScene(ServerConfig& config, const std::string& scene);
 
 /// Paths in the file are relative to the file. Throws ConfigError.
 ServerConfig readServerConfig(const std::string& path);

@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "common/config/Shipped.h"
+#include "common/world/Names.h"
+
 namespace coherency {
 namespace {
 
@@ -23,6 +26,9 @@ std::string join(const auto& names) {
 
 toml::table parseTomlFile(const std::string& path) {
   std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw ConfigError(
+        fmt::format("{}: is a folder; name a TOML file in it, there are: {}", path, namesIn(path)));
   if (!std::filesystem::is_regular_file(path, ignored))
     throw ConfigError(fmt::format("{}: no such file; name an existing TOML file", path));
   try {
@@ -81,6 +87,16 @@ std::string TomlTable::text(std::string_view key, const std::string& fallback) {
   if (node == nullptr) return fallback;
   if (!node->is_string()) throw error(key, "must be a text in quotes");
   return node->as_string()->get();
+}
+
+std::string TomlTable::plainText(std::string_view key, const std::string& fallback) {
+  std::string value = text(key, fallback);
+  if (!isPlainText(value))
+    throw error(key,
+                fmt::format("\"{}\" is shown on every machine: it must be of printable ASCII characters, "
+                            "as \"{}\", at most {} of them",
+                            value, coherency::plainText(value), kMaxText));
+  return value;
 }
 
 std::string TomlTable::oneOf(std::string_view key, const std::string& fallback,

@@ -29,6 +29,8 @@ class TomlTable {
   std::int64_t integer(std::string_view key, std::int64_t fallback, std::int64_t min, std::int64_t max);
   bool flag(std::string_view key, bool fallback);
   std::string text(std::string_view key, const std::string& fallback);
+  /// A text that isPlainText() (Names.h), as whatever is shown on other machines must be.
+  std::string plainText(std::string_view key, const std::string& fallback);
   std::string oneOf(std::string_view key, const std::string& fallback,
                     std::initializer_list<std::string_view> allowed);
   /// `count` numbers in brackets; empty where the key is absent.

@@ -23,7 +23,7 @@ class Attributes {
     values_.emplace_back(typeid(T), std::move(value));
   }
 
-  /// Null where there is none. Good until the next attach() or detach().
+  /// Null where there is none. Good until the next attach().
   template <class T>
   T* find() {
     for (auto& [type, value] : values_)
@@ -33,11 +33,6 @@ class Attributes {
   template <class T>
   const T* find() const {
     return const_cast<Attributes*>(this)->find<T>();
-  }
-
-  template <class T>
-  void detach() {
-    std::erase_if(values_, [](const auto& entry) { return entry.first == typeid(T); });
   }
 
  private:

@@ -24,7 +24,7 @@ TransformMatrix inverseOfParent(const VRObject& object) {
 }  // namespace
 
 VRObject::~VRObject() {
-  for (VRObject* member : members_) member->parent_ = nullptr;
+  for (VRObject* member : members()) member->parent_ = nullptr;
   if (parent_ != nullptr) parent_->removeMember(this);
 }
 
@@ -43,14 +43,23 @@ void VRObject::addMember(VRObject* member) {
 }
 
 void VRObject::removeMember(VRObject* member) {
-  // From the back, as data members die in reverse order of their construction.
-  const auto found = std::find(members_.rbegin(), members_.rend(), member);
-  if (member == nullptr || found == members_.rend())
+  if (member == nullptr || member->parent_ != this)
     throw std::invalid_argument(
         "VRObject '" + path() + "': removeMember was given " +
         (member == nullptr ? "a null pointer" : "'" + member->name() + "', which is not its member"));
-  members_.erase(std::next(found).base());
   member->parent_ = nullptr;
+  // From both ends: data members die in reverse order of their construction, a vector's elements in its
+  // order.
+  std::size_t first = gone_;
+  std::size_t last = members_.size() - 1;
+  while (members_[first] != member && members_[last] != member) ++first, --last;
+  const std::size_t at = members_[first] == member ? first : last;
+  if (at != gone_) {
+    members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(at));
+  } else if (++gone_ > members_.size() / 2) {
+    members_.erase(members_.begin(), members_.begin() + static_cast<std::ptrdiff_t>(gone_));
+    gone_ = 0;
+  }
 }
 
 std::string VRObject::path() const {

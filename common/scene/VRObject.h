@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ class VRObject : public VRFrame {
   void removeMember(VRObject* member);
 
   VRObject* parent() const { return parent_; }
-  const std::vector<VRObject*>& members() const { return members_; }
+  /// In the order of addition; good until the next addMember() or removeMember().
+  std::span<VRObject* const> members() const { return std::span(members_).subspan(gone_); }
   const std::string& name() const { return name_; }
   void setName(std::string name) { name_ = std::move(name); }
   /// Names from the root down, joined by '/'; an unnamed object shows as '?'.
@@ -69,6 +71,7 @@ class VRObject : public VRFrame {
   std::string name_;
   VRObject* parent_ = nullptr;
   std::vector<VRObject*> members_;
+  std::size_t gone_ = 0;  ///< of members_, the first, which have left; so that many can do so one by one
   std::unique_ptr<Attributes> attributes_;  ///< most objects have none
 };
 
@@ -85,7 +88,7 @@ void forEachObject(const VRObject& root, const TransformMatrix& t_root, Visit&& 
     const Pending now = stack.back();
     stack.pop_back();
     visit(*now.object, now.t_root_object);
-    const auto& members = now.object->members();
+    const auto members = now.object->members();
     for (auto m = members.rbegin(); m != members.rend(); ++m)
       stack.push_back({*m, now.t_root_object * (*m)->transform()});
   }

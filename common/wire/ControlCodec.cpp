@@ -70,7 +70,7 @@ bool read(const wire::Scene& in, SceneDescription& scene) {
   scene.workplace = read(in.workplace());
   if (in.has_robot_start()) scene.robot = {read(in.robot_start()), read(in.robot_workplace())};
   for (const wire::SceneObject& object : in.objects()) {
-    if (object.count() > static_cast<std::uint32_t>(kMaxObjectCount)) return false;
+    if (object.count() > static_cast<std::uint32_t>(kMaxSceneParts)) return false;
     scene.objects.push_back({object.kind(), object.name(), read(object.place()), object.colour(),
                              static_cast<std::int32_t>(object.count())});
   }

@@ -15,9 +15,6 @@ bool isPlace(const BasePose& at) {
   const auto within = [](std::int64_t nm) { return nm >= -kWorldLimitNm && nm <= kWorldLimitNm; };
   return within(at.x_nm) && within(at.y_nm) && within(at.z_nm);
 }
-bool isPrintable(char c) {
-  return c >= 0x20 && c <= 0x7e;
-}
 
 /// A DOF's range in its integer unit. Rounding may step over the border by half a unit, hence one more.
 struct UnitRange {
@@ -99,11 +96,15 @@ bool isValid(const Hello& hello) {
 bool isValid(const SceneDescription& scene) {
   const bool places = isPlace(scene.start) && isPlace(scene.workplace) &&
                       (!scene.robot || (isPlace(scene.robot->start) && isPlace(scene.robot->workplace)));
+  std::int64_t parts = 0;
+  for (const ObjectPlacement& object : scene.objects) {
+    if (!isPlainText(object.kind) || !isPlainText(object.name) || !isPlainText(object.colour) ||
+        !isPlace(object.place) || object.count < 0)
+      return false;
+    parts += object.count;
+  }
   return isSceneName(scene.name) && places && scene.objects.size() <= kMaxSceneObjects &&
-         std::all_of(scene.objects.begin(), scene.objects.end(), [](const ObjectPlacement& object) {
-           return isPlainText(object.kind) && isPlainText(object.name) && isPlainText(object.colour) &&
-                  isPlace(object.place) && object.count >= 0 && object.count <= kMaxObjectCount;
-         });
+         parts <= kMaxSceneParts;
 }
 
 bool isValid(const SessionConfig& session) {
@@ -125,23 +126,6 @@ bool isValid(const Goodbye& goodbye) {
 
 bool isValid(const ModeRequest& request) {
   return request.mode <= Mode::Robot;
-}
-
-bool isSceneName(std::string_view name) {
-  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.:";
-  return !name.empty() && name.size() <= kMaxText &&
-         name.find_first_not_of(allowed) == std::string_view::npos;
-}
-
-bool isPlainText(std::string_view text) {
-  return text.size() <= kMaxText && std::all_of(text.begin(), text.end(), isPrintable);
-}
-
-std::string plainText(std::string_view text) {
-  std::string plain(text.substr(0, kMaxText));
-  std::replace_if(
-      plain.begin(), plain.end(), [](char c) { return !isPrintable(c); }, '?');
-  return plain;
 }
 
 bool hashHolds(const MotionPacket& packet) {

@@ -17,7 +17,8 @@ struct BasePose {
 
 /// The world ends here in each direction, a billion metres from the origin: what drives stops, what a scene
 /// places beyond is refused.
-inline constexpr std::int64_t kWorldLimitNm = 1'000'000'000'000'000'000;
+inline constexpr double kWorldLimit = 1e9;  ///< m
+inline constexpr std::int64_t kWorldLimitNm = static_cast<std::int64_t>(kWorldLimit) * 1'000'000'000;
 
 /// A coordinate moved by some metres, to the nearest nanometre; it ends where the world does.
 std::int64_t movedBy(std::int64_t from_nm, double by_m);

@@ -25,19 +25,16 @@ Made plain(const ObjectPlacement&, Stage&) {
   return std::make_unique<Kind>();
 }
 
-[[noreturn]] void refuse(const ObjectPlacement& placement, const std::string& why) {
-  throw std::invalid_argument("object '" + placement.name + "': " + why);
+std::optional<std::uint32_t> colourFrom(const std::string& text) {
+  std::uint32_t colour = 0;
+  const char* end = text.data() + text.size();
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  const auto read = std::from_chars(text.data() + 1, end, colour, 16);
+  return read.ec == std::errc{} && read.ptr == end ? std::optional(colour) : std::nullopt;
 }
 
 std::uint32_t colourOf(const ObjectPlacement& placement, std::uint32_t fallback) {
-  const std::string& text = placement.colour;
-  if (text.empty()) return fallback;
-  std::uint32_t colour = 0;
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data() + 1, end, colour, 16);
-  if (text.size() != 7 || text[0] != '#' || read.ec != std::errc{} || read.ptr != end)
-    refuse(placement, "colour \"" + text + "\" is none; write it as \"#c8433a\"");
-  return colour;
+  return colourFrom(placement.colour).value_or(fallback);
 }
 
 Made block(const ObjectPlacement& placement, Stage&) {
@@ -122,19 +119,31 @@ const CatalogueEntry* findKind(std::string_view kind) {
   return found == std::end(kCatalogue) ? nullptr : found;
 }
 
-std::unique_ptr<VRObject> makeObject(const ObjectPlacement& placement, Stage& stage) {
-  const CatalogueEntry* entry = findKind(placement.kind);
+std::optional<PlacementFault> faultOf(const ObjectPlacement& placement) {
+  const std::string& kind = placement.kind;
+  const CatalogueEntry* entry = findKind(kind);
   if (entry == nullptr) {
     std::string known;
     for (const CatalogueEntry& e : kCatalogue) known += (known.empty() ? "" : ", ") + std::string(e.kind);
-    refuse(placement, "there is no kind '" + placement.kind + "'; there are " + known);
+    return PlacementFault{"kind", "there is no kind '" + kind + "'; there are " + known};
   }
   if (!placement.colour.empty() && !entry->coloured)
-    refuse(placement, "a " + placement.kind + " comes in no colours");
-  if (placement.count != 0 && !entry->counted) refuse(placement, "a " + placement.kind + " takes no count");
+    return PlacementFault{"colour", "a " + kind + " comes in no colours"};
+  if (!placement.colour.empty() && !colourFrom(placement.colour))
+    return PlacementFault{"colour", "\"" + placement.colour + "\" is no colour; write it as \"#c8433a\""};
+  if (placement.count != 0 && !entry->counted)
+    return PlacementFault{"count", "a " + kind + " takes no count"};
   if (entry->counted && placement.count < 1)
-    refuse(placement,
-           "a " + placement.kind + " needs a count of 1 or more, as in \"" + placement.kind + ":1000\"");
+    return PlacementFault{
+        "count", "a " + kind + " needs a count of 1 or more: count = 1000, or after the scene's name, as \"" +
+                     kind + ":1000\""};
+  return std::nullopt;
+}
+
+std::unique_ptr<VRObject> makeObject(const ObjectPlacement& placement, Stage& stage) {
+  if (const auto fault = faultOf(placement))
+    throw std::invalid_argument("object '" + placement.name + "': " + fault->what);
+  const CatalogueEntry* entry = findKind(placement.kind);
   std::unique_ptr<VRObject> object = entry->make(placement, stage);
   object->setName(placement.name);
   object->setTransform(transform(placement.place));

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "common/body/VirtualHuman.h"
@@ -30,9 +32,16 @@ std::span<const CatalogueEntry> catalogue();
 /// Null where there is no such kind.
 const CatalogueEntry* findKind(std::string_view kind);
 
-/// Makes the object and puts it in its place. Throws std::invalid_argument naming the object and what is
-/// wrong: no such kind (with those there are), a colour that is none or not taken, a count that is missing or
-/// not taken.
+/// What one placement by itself can have wrong: no such kind (with those there are), a colour that is none or
+/// not taken, a count that is missing or not taken.
+struct PlacementFault {
+  std::string_view key;  ///< "kind", "colour" or "count": where in a scene's file
+  std::string what;
+};
+std::optional<PlacementFault> faultOf(const ObjectPlacement& placement);
+
+/// Makes the object and puts it in its place. Throws std::invalid_argument naming the object and faultOf()
+/// it.
 std::unique_ptr<VRObject> makeObject(const ObjectPlacement& placement, Stage& stage);
 
 }  // namespace coherency

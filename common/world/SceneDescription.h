@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,11 @@ struct RobotPlacement {
   BasePose workplace;  ///< where its base should be to reach what can be grasped
   bool operator==(const RobotPlacement&) const = default;
 };
+
+/// What a scene may ask of each machine that shows it, be it a file's or a server's on the network. A part
+/// (ObjectPlacement::count) costs a client about 12 KB.
+inline constexpr std::size_t kMaxSceneObjects = 200;
+inline constexpr std::int32_t kMaxSceneParts = 200'000;  ///< the sum of all counts
 
 /// A world in words: what configs/scenes/ files say and the server hands to every client. A scene has in it
 /// what is named here and nothing else.

@@ -186,13 +186,16 @@ class Broadcaster::Impl {
     const auto remote = socket.remote_endpoint(error);
     if (error) return;
     socket.set_option(tcp::no_delay(true), error);
-    const std::lock_guard lock(mutex_);
-    const auto id = host_->open(place(remote.address().to_string(), remote.port()), now());
-    if (!id) return;
     auto connection = std::make_shared<Connection>(std::move(socket));
-    connection->id = *id;
-    connections_[*id] = connection;
+    std::optional<std::uint32_t> surplus;
+    {
+      const std::lock_guard lock(mutex_);
+      connection->id = host_->open(place(remote.address().to_string(), remote.port()), now());
+      surplus = host_->surplus();
+    }
+    connections_[connection->id] = connection;
     read(connection);
+    if (surplus) drop(*surplus);
   }
 
   void read(const ConnectionPtr& connection) {
@@ -329,6 +332,9 @@ std::uint16_t Broadcaster::port() const {
 }
 std::vector<ClientStatus> Broadcaster::clients() const {
   return impl_->withHost([](const SessionHost& host) { return host.clients(); });
+}
+std::uint64_t Broadcaster::served() const {
+  return impl_->withHost([](const SessionHost& host) { return host.served(); });
 }
 RejectCounts Broadcaster::rejected() const {
   return impl_->withHost([](const SessionHost& host) { return host.rejected(); });

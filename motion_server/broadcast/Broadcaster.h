@@ -65,6 +65,7 @@ class Broadcaster {
 
   std::uint16_t port() const;
   std::vector<ClientStatus> clients() const;  ///< present and past
+  std::uint64_t served() const;               ///< clients that were welcomed so far
   RejectCounts rejected() const;
   StereoStatus stereo() const;
 

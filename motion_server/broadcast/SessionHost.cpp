@@ -28,14 +28,20 @@ SessionHost::SessionHost(const BroadcastConfig& config, const SessionConfig& ses
   session_.session_id = nonZeroRandom();
 }
 
-std::optional<std::uint32_t> SessionHost::open(const std::string& address, ServerTime now) {
-  if (clients_.size() >= static_cast<std::size_t>(config_.max_clients) + kStrangers) return std::nullopt;
+std::uint32_t SessionHost::open(const std::string& address, ServerTime now) {
   const std::uint32_t id = next_id_++;
   Client client(now);
   client.status.id = id;
   client.status.address = address;
   clients_.emplace(id, std::move(client));
   return id;
+}
+
+std::optional<std::uint32_t> SessionHost::surplus() const {
+  if (clients_.size() - welcomed() <= kStrangers) return std::nullopt;
+  const auto oldest = std::find_if(clients_.begin(), clients_.end(),
+                                   [](const auto& c) { return c.second.stage != Stage::Welcomed; });
+  return oldest->first;
 }
 
 SessionHost::Reaction SessionHost::receive(std::uint32_t connection, std::span<const std::byte> bytes,
@@ -46,25 +52,22 @@ SessionHost::Reaction SessionHost::receive(std::uint32_t connection, std::span<c
   Reaction all;
   if (client.stage == Stage::Leaving) return all;
   client.framing.feed(bytes);
-  while (const auto message = client.framing.next()) {
-    Reaction reaction;
-    if (client.budget.take(now)) {
-      client.heard = now;
-      reaction =
-          std::visit([&](const auto& decoded) { return on(client, decoded); }, decodeControl(*message));
-    } else {
-      reaction = sendAway(client, GoodbyeCause::Protocol,
-                          "more than " + std::to_string(kMessagesPerSecond) + " control messages a second");
-    }
+  const auto add = [&](const Reaction& reaction) {
+    client.heard = now;
     all.send.insert(all.send.end(), reaction.send.begin(), reaction.send.end());
     all.goodbye = reaction.goodbye;
     if (reaction.mode) all.mode = reaction.mode;
-    if (all.goodbye) {
-      client.heard = now;
-      return all;
-    }
+  };
+  while (const auto message = client.framing.next()) {
+    if (client.budget.take(now))
+      add(std::visit([&](const auto& decoded) { return on(client, decoded); }, decodeControl(*message)));
+    else
+      add(sendAway(client, GoodbyeCause::Protocol,
+                   "more than " + std::to_string(kMessagesPerSecond) + " control messages a second"));
+    if (all.goodbye) return all;
   }
-  return client.framing.oversized() ? on(client, Reject::Oversized) : all;
+  if (client.framing.oversized()) add(on(client, Reject::Oversized));
+  return all;
 }
 
 SessionHost::Reaction SessionHost::on(Client& client, const Hello& hello) {
@@ -75,13 +78,14 @@ SessionHost::Reaction SessionHost::on(Client& client, const Hello& hello) {
                     "this server speaks version " + versionText(kWireMajor, kWireMinor) + ", this client " +
                         versionText(hello.major, hello.minor) + ": install the same release on both");
   }
-  if (welcomed() >= config_.max_clients) {
+  if (welcomed() >= static_cast<std::size_t>(config_.max_clients)) {
     return sendAway(client, GoodbyeCause::Full,
                     "this server has its " + std::to_string(config_.max_clients) +
                         " clients already: stop one or raise max_clients");
   }
   client.stage = Stage::Welcomed;
   client.was_welcomed = true;
+  ++served_;
   client.token = nonZeroRandom();
   client.status.eye = hello.eye;
   SessionConfig welcome = session_;
@@ -195,9 +199,9 @@ std::vector<ClientStatus> SessionHost::clients() const {
   return all;
 }
 
-int SessionHost::welcomed() const {
-  return static_cast<int>(std::count_if(clients_.begin(), clients_.end(),
-                                        [](const auto& c) { return c.second.stage == Stage::Welcomed; }));
+std::size_t SessionHost::welcomed() const {
+  return static_cast<std::size_t>(std::count_if(
+      clients_.begin(), clients_.end(), [](const auto& c) { return c.second.stage == Stage::Welcomed; }));
 }
 
 std::uint64_t SessionHost::nonZeroRandom() {

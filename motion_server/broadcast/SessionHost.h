@@ -26,8 +26,7 @@ namespace coherency {
 class SessionHost {
  public:
   using Random = std::function<std::uint64_t()>;
-  static constexpr int kStrangers =
-      16;  ///< connections beyond max_clients that may be open, yet without welcome
+  static constexpr int kStrangers = 16;  ///< connections that may be open beside those of welcome clients
   static constexpr std::int64_t kMessagesPerSecond = 50;
   static constexpr std::int64_t kMessagesAtOnce = 100;
   static constexpr std::int64_t kLingerNs =
@@ -44,8 +43,11 @@ class SessionHost {
     bool goodbye = false;
     std::optional<Mode> mode = {};  ///< that the client asks for
   };
-  /// A number for the connection, or nullopt where there are so many that it must be closed unheard.
-  std::optional<std::uint32_t> open(const std::string& address, ServerTime now);
+  /// A number for the connection.
+  std::uint32_t open(const std::string& address, ServerTime now);
+  /// The connection to cut so that no more than kStrangers are without welcome: of those the oldest, as a
+  /// client says hello at once. Asked after each open().
+  std::optional<std::uint32_t> surplus() const;
   Reaction receive(std::uint32_t connection, std::span<const std::byte> bytes, ServerTime now);
   /// The connection is gone. Unknown numbers are passed over.
   void close(std::uint32_t connection);
@@ -62,6 +64,8 @@ class SessionHost {
   std::vector<MotionTarget> targets() const;
 
   std::vector<ClientStatus> clients() const;
+  /// How many were welcomed so far.
+  std::uint64_t served() const { return served_; }
   const RejectCounts& rejected() const { return rejected_; }
   const StereoStatus& stereo() const { return stereo_.status(); }
 
@@ -88,7 +92,7 @@ class SessionHost {
   Reaction on(Client& client, const SessionConfig& misplaced);
   Reaction on(Client& client, Reject reject);
   Reaction sendAway(Client& client, GoodbyeCause cause, const std::string& reason);
-  int welcomed() const;
+  std::size_t welcomed() const;
   std::uint64_t nonZeroRandom();
   void count(Reject reject);
 
@@ -99,6 +103,7 @@ class SessionHost {
   std::uint32_t next_id_ = 1;
   std::map<std::uint32_t, Client> clients_;  ///< by connection, which is also the client's id
   std::deque<ClientStatus> past_;            ///< of clients that were welcomed, the newest
+  std::uint64_t served_ = 0;
   RejectCounts rejected_;
   StereoAgreement stereo_;
   std::uint64_t targets_version_ = 0;

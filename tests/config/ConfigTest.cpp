@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include "common/config/RigFile.h"
 #include "common/config/SceneFile.h"
 #include "common/config/ServerConfig.h"
+#include "common/world/Catalogue.h"
 
 namespace coherency {
 namespace {
@@ -66,7 +68,8 @@ TEST_F(ConfigTest, EveryShippedFileLoads) {
     else if (folder == "hmds")
       EXPECT_NO_THROW(readHmdProfile(path)) << path;
     else if (folder == "scenes")
-      EXPECT_NO_THROW(readScene(entry.path().stem().string() + ":100", entry.path().parent_path().string()))
+      EXPECT_NO_THROW(readScene(entry.path().stem().string() + (entry.path().stem() == "grid" ? ":100" : ""),
+                                entry.path().parent_path().string()))
           << path;
     else
       ADD_FAILURE() << path << ": nobody reads this folder";
@@ -120,6 +123,12 @@ TEST_F(ConfigTest, MissingFilesAreNamed) {
   EXPECT_NE(messageOf([&] { readServerConfig(path); }).find("absent.toml: no such file"), std::string::npos);
 }
 
+TEST_F(ConfigTest, AFolderIsNoFile) {
+  const std::string message = messageOf([&] { readServerConfig((folder_ / "scenes").string()); });
+  EXPECT_NE(message.find("is a folder; name a TOML file in it, there are: laboratory"), std::string::npos)
+      << message;
+}
+
 TEST_F(ConfigTest, PathsAreRelativeToTheFile) {
   write("upper_arm = 0.25\n", "servers/arm.toml");
   write("driving = false\n", "servers/my.toml");
@@ -171,7 +180,19 @@ TEST_F(ConfigTest, WrongScenesAreRefusedWithPlaceAndRemedy) {
   };
   refused("[[object]]\nkind = \"unicorn\"\n",
           ":2:", "\"unicorn\" is no kind of object; there are laboratory");
-  refused("[[object]]\nname = \"x\"\n", ":", "is no kind of object");
+  refused("\n[[object]]\nname = \"x\"\n", ":2:", "object[0].kind: is missing");
+  refused("[[object]]\nkind = \"table\"\nname = \"Tisch f\u00fcr alle\"\n",
+          ":3:", "object[0].name: \"Tisch f\u00fcr alle\" is shown on every machine");
+  refused("[[object]]\nkind = \"table\"\ncolour = \"#ff0000\"\n", ":3:", "a table comes in no colours");
+  refused("[[object]]\nkind = \"block\"\ncolour = \"reddish\"\n",
+          ":3:", "\"reddish\" is no colour; write it as \"#c8433a\"");
+  refused("\n[[object]]\nkind = \"grid\"\n", ":2:", "a grid needs a count of 1 or more");
+  refused("[[object]]\nkind = \"table\"\n[[object]]\nkind = \"table\"\n",
+          ":3:", "two objects are called 'table'");
+  refused("[[object]]\nkind = \"grid\"\ncount = 200001\n", ":3:", "from 1 to 200000");
+  refused(
+      "[[object]]\nkind = \"grid\"\ncount = 200000\n[[object]]\nkind = \"grid\"\nname = \"b\"\ncount = 1\n",
+      ":7:", "all counts of a scene together may be 200000; with this one they are 200001");
   refused("[[object]]\nkind = \"table\"\nposition = [1.0, 2.0]\n", ":3:", "must be 3 numbers");
   refused("[[object]]\nkind = \"table\"\nposition = [2e9, 0.0, 0.0]\n",
           ":3:", "from -1000000000 to 1000000000");
@@ -186,11 +207,81 @@ TEST_F(ConfigTest, WrongScenesAreRefusedWithPlaceAndRemedy) {
   EXPECT_NE(messageOf([&] { readScene("laboratory:x", folder); }).find("whole number"), std::string::npos);
   EXPECT_NE(messageOf([&] { readScene("laboratory:0", folder); }).find("from 1 to"), std::string::npos);
   EXPECT_NE(messageOf([&] { readScene("atlantis", folder); }).find("bad, laboratory"), std::string::npos);
+  EXPECT_NE(messageOf([&] { readScene("laboratory:3", folder); }).find("write \"laboratory\""),
+            std::string::npos);
+  for (const char* name : {"", "../scenes/laboratory", "a b", "J\u00f6rg", ":3", "a/b.tom"})
+    EXPECT_NE(messageOf([&] { readScene(name, folder); }).find("is no name"), std::string::npos) << name;
+  const std::string blank = write("", "scenes/my scene.toml");
+  EXPECT_NE(messageOf([&] { readScene(blank, ""); }).find("my scene.toml: the file's name is the scene's"),
+            std::string::npos);
+}
+
+TEST_F(ConfigTest, ACountGoesToWhatNeedsOne) {
+  write("[[object]]\nkind = \"grid\"\n[[object]]\nkind = \"grid\"\nname = \"b\"\ncount = 7\n",
+        "scenes/g.toml");
+  const SceneDescription scene = readScene("g:50", (folder_ / "scenes").string());
+  EXPECT_EQ(scene.name, "g:50");
+  EXPECT_EQ(scene.objects[0].count, 50);
+  EXPECT_EQ(scene.objects[1].count, 7);
+  EXPECT_EQ(sceneFile("g:50", (folder_ / "scenes").string()), (folder_ / "scenes/g.toml").string());
 }
 
 TEST_F(ConfigTest, AbsurdRigsAreRefused) {
   for (const char* text : {"upper_arm = -0.3\n", "upper_arm = 30.0\n", "eye_distance = nan\n", "leg = 1.0\n"})
     EXPECT_THROW(readRig(write(text)), ConfigError) << text;
+}
+
+TEST_F(ConfigTest, ARigsNameIsPlain) {
+  write("upper_arm = 0.3\nname = \"J\u00f6rg\"\n", "servers/r.toml");
+  EXPECT_NE(messageOf([&] { readRig((folder_ / "servers/r.toml").string()); }).find("r.toml:2:8: name:"),
+            std::string::npos);
+  const std::string by_file = write("upper_arm = 0.3\n", "servers/J\u00f6rg.toml");
+  EXPECT_NE(messageOf([&] { readRig(by_file); }).find("name:"), std::string::npos);
+}
+
+TEST_F(ConfigTest, MeasuresThatARigLeavesOutAreNamed) {
+  std::vector<std::string> absent;
+  readRig((fs::path(COHERENCY_CONFIGS) / "rigs/default.toml").string(), &absent);
+  EXPECT_TRUE(absent.empty());
+  readRig(write("upper_arm = 0.25\n"), &absent);
+  EXPECT_EQ(absent.size(), rigFields().size() - 1);
+  EXPECT_EQ(absent.front(), "eye_distance");
+}
+
+TEST_F(ConfigTest, TheShippedRigSaysWhatItsMeasuresMayBe) {
+  std::ifstream file(fs::path(COHERENCY_CONFIGS) / "rigs/default.toml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  for (const RigField& field : rigFields()) {
+    const auto line = text.find("\n" + std::string(field.name) + " = ");
+    ASSERT_NE(line, std::string::npos) << field.name;
+    std::ostringstream range;
+    range << field.min << " to " << field.max << "\n";
+    const std::string whole = text.substr(line + 1, text.find('\n', line + 1) - line);
+    EXPECT_TRUE(whole.ends_with(range.str())) << whole << " must end with " << range.str();
+  }
+}
+
+TEST_F(ConfigTest, ShippedDisplaysHaveNames) {
+  for (const std::string name : {"desk", "generic", "wide"}) {
+    EXPECT_NE(hmdNames().find(name), std::string::npos) << hmdNames();
+    EXPECT_EQ(readHmdProfile(name).name, name);
+  }
+  const std::string message = messageOf([] { readHmdProfile("narrow"); });
+  EXPECT_NE(message.find("desk, generic, wide"), std::string::npos) << message;
+  EXPECT_NE(messageOf([] { readHmdProfile("a/b"); }).find("a/b: no such file"), std::string::npos);
+}
+
+TEST_F(ConfigTest, TheListOfObjectsIsTheCatalogue) {
+  std::ifstream file(COHERENCY_DOCS "/scenes.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string table;
+  for (const CatalogueEntry& e : catalogue()) {
+    const char* takes = e.coloured ? "colour" : (e.counted ? "count" : "");
+    table += "| `" + std::string(e.kind) + "` | " + std::string(e.what) + " | " + takes + " |\n";
+  }
+  EXPECT_NE(text.find("|---|---|---|\n" + table + "\n"), std::string::npos)
+      << "docs/scenes.md must have this table:\n"
+      << table;
 }
 
 TEST_F(ConfigTest, HmdNeedsBothEyesAndAPicture) {
@@ -220,6 +311,36 @@ TEST_F(ConfigTest, Endpoints) {
   for (const char* wrong :
        {"", ":80", "pc1:", "pc1:x", "pc1:70000", "pc1:-1", "::1", "[::1", "[::1]x", "[::1]:"})
     EXPECT_THROW(parseEndpoint(wrong, 7), ConfigError) << wrong;
+  EXPECT_NE(messageOf([] { parseEndpoint("7430", 7430); }).find("right would be"), std::string::npos);
+  EXPECT_EQ(describe({"::1", 80}), "[::1]:80");
+  EXPECT_EQ(describe({"pc1", 80}), "pc1:80");
+}
+
+TEST_F(ConfigTest, AddressesToListenOnAreNumbers) {
+  EXPECT_EQ(parseListenEndpoint("localhost:80", 7).host, "127.0.0.1");
+  EXPECT_EQ(parseListenEndpoint("[0:0::1]", 7).host, "::1");
+  EXPECT_EQ(parseListenEndpoint("0.0.0.0:0", 7).port, 0);
+  EXPECT_EQ(listenAddress("fe80::1%eth0"), "fe80::1%eth0");
+  for (const char* wrong : {"7430", "foo", "foo:1", "", "127.0.0.1:99999", "1.2.3", "1.2.3.4%eth0:1"}) {
+    const std::string message = messageOf([&] { parseListenEndpoint(wrong, 7430); });
+    EXPECT_NE(message.find("right would be 127.0.0.1:7430"), std::string::npos) << message;
+  }
+  EXPECT_TRUE(isLoopback("::1") && isLoopback("127.0.0.2"));
+  EXPECT_FALSE(isLoopback("0.0.0.0") || isLoopback("192.0.2.1"));
+  EXPECT_EQ(readServerConfig(write("[network]\naddress = \"localhost\"\n")).address, "127.0.0.1");
+  expectRefused("[network]\naddress = \"foo\"\n", ":2:", "right would be \"127.0.0.1\"");
+}
+
+TEST_F(ConfigTest, WhetherAFileCanBeWrittenIsKnownBefore) {
+  EXPECT_NO_THROW(checkReplaceable("--stats-json", ""));
+  EXPECT_NO_THROW(checkReplaceable("--stats-json", "beside_me.json"));
+  EXPECT_NO_THROW(checkReplaceable("--stats-json", "/dev/null"));
+  EXPECT_NO_THROW(checkReplaceable("--stats-json", (folder_ / "new.json").string()));
+  EXPECT_FALSE(fs::exists(folder_ / "new.json"));
+  EXPECT_NE(messageOf([] { checkReplaceable("--stats-json", "/nope/x"); }).find("there is no folder /nope"),
+            std::string::npos);
+  EXPECT_NE(messageOf([&] { checkReplaceable("--stats-json", folder_.string()); }).find("is a folder"),
+            std::string::npos);
 }
 
 TEST_F(ConfigTest, ReplacedFilesAreWholeOrNamed) {

@@ -264,6 +264,21 @@ TEST_F(Loopback, RandomBytesAreCountedAndHurtNobody) {
   EXPECT_EQ(server.connected(), 1U);
 }
 
+TEST_F(Loopback, SilentConnectionsKeepNobodyOut) {
+  Server server(clock_);
+  server.start();
+  asio::io_context io;
+  std::vector<tcp::socket> silent;
+  for (int i = 0; i < 80; ++i)
+    silent.emplace_back(io).connect({asio::ip::make_address("127.0.0.1"), server.port()});
+  ServerLink eye(link(server.port()), clock_);
+  EXPECT_NO_THROW(eye.waitForSession(1'500'000'000))
+      << "before the silent ones are dropped for their silence";
+  EXPECT_TRUE(receives(eye));
+  EXPECT_EQ(eye.stats().connections, 1U);
+  EXPECT_EQ(server.broadcaster().served(), 1U);
+}
+
 TEST_F(Loopback, AFullServerSaysSo) {
   Server server(clock_, 0, 1);
   ServerLink first(link(server.port()), clock_);

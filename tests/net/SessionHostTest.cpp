@@ -11,7 +11,7 @@ using namespace testing;
 
 class SessionHostTest : public ::testing::Test {
  protected:
-  std::uint32_t connect() { return host_.open("192.0.2.1:5000", now_).value(); }
+  std::uint32_t connect() { return host_.open("192.0.2.1:5000", now_); }
 
   SessionHost::Reaction say(std::uint32_t connection, const Bytes& bytes) {
     return host_.receive(connection, bytes, now_);
@@ -141,12 +141,54 @@ TEST_F(SessionHostTest, AFullHouseSaysSoAndHasRoomAgainWhenOneLeaves) {
   EXPECT_NO_THROW(join());
 }
 
-TEST_F(SessionHostTest, StrangersCannotTakeAllThePlaces) {
-  std::size_t opened = 0;
-  while (host_.open("a:1", now_)) ++opened;
-  EXPECT_EQ(opened, 3 + SessionHost::kStrangers);
+TEST_F(SessionHostTest, OfTooManyStrangersTheOldestGoes) {
+  const SessionConfig client = join();
+  const std::uint32_t oldest = connect();
+  for (int i = 1; i < SessionHost::kStrangers; ++i) {
+    connect();
+    EXPECT_FALSE(host_.surplus());
+  }
+  connect();
+  ASSERT_EQ(host_.surplus(), oldest) << "and not who was welcomed";
+  host_.close(oldest);
+  EXPECT_FALSE(host_.surplus());
   now_ = now_ + config().silence_ns;
-  EXPECT_EQ(host_.expired(now_).size(), opened);
+  EXPECT_EQ(host_.expired(now_).size(), 1U + SessionHost::kStrangers);
+  EXPECT_TRUE(probe(client));
+}
+
+TEST_F(SessionHostTest, WhoIsBeingSentAwayTakesAPlaceAmongStrangers) {
+  const std::uint32_t first = connect();
+  farewell(say(first, Bytes(64, std::byte{0xff})));
+  for (int i = 0; i < SessionHost::kStrangers; ++i) connect();
+  EXPECT_EQ(host_.surplus(), first);
+}
+
+TEST_F(SessionHostTest, ManyStrangersKeepNobodyOut) {
+  for (int i = 0; i < 80; ++i) {
+    connect();
+    if (const auto surplus = host_.surplus()) host_.close(*surplus);
+  }
+  for (int i = 0; i < config().max_clients; ++i) {
+    EXPECT_NO_THROW(join());
+    if (const auto surplus = host_.surplus()) host_.close(*surplus);
+  }
+  EXPECT_EQ(host_.served(), 3U);
+}
+
+TEST_F(SessionHostTest, AnswersBeforeATooLongMessageAreStillSent) {
+  Bytes both = encodeControl(Hello{kWireMajor, 0, "left", ""});
+  both.insert(both.end(), 64, std::byte{0xff});
+  const std::uint32_t connection = connect();
+  now_ = now_ + config().silence_ns / 2;
+  const auto reaction = say(connection, both);
+  EXPECT_TRUE(reaction.goodbye);
+  const auto messages = messagesIn(reaction.send);
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<SessionConfig>(messages[0]));
+  EXPECT_EQ(std::get<Goodbye>(messages[1]).cause, GoodbyeCause::Protocol);
+  now_ = now_ + SessionHost::kLingerNs - 1;
+  EXPECT_TRUE(host_.expired(now_).empty()) << "the goodbye has its time to arrive";
 }
 
 TEST_F(SessionHostTest, WhatHasNoPlaceEndsTheConnection) {

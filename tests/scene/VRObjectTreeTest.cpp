@@ -161,5 +161,52 @@ TEST(VRObjectTree, ADeepChainDiesFromEitherEnd) {
   }
 }
 
+/// A hundred thousand objects held in a vector, as the boxes of a large scene are.
+TEST(VRObjectTree, ManyMembersDieOneByOneAtAConstantCost) {
+  constexpr std::size_t kMany = 100'000;
+  VRObject parent("parent");
+  std::vector<std::unique_ptr<VRObject>> members;
+  for (std::size_t i = 0; i < kMany; ++i) {
+    members.push_back(std::make_unique<VRObject>());
+    parent.addMember(members.back().get());
+  }
+  std::size_t moved = 0;  // places in the parent's list whose contents were shifted
+  for (std::size_t i = 0; i < kMany; ++i) {
+    const auto before = parent.members();
+    members[i].reset();
+    const auto after = parent.members();
+    ASSERT_EQ(after.size(), kMany - i - 1);
+    if (after.empty()) break;
+    ASSERT_EQ(after.front(), members[i + 1].get());
+    if (after.data() != before.data() + 1) moved += after.size();
+  }
+  EXPECT_LE(moved, 2 * kMany);
+}
+
+TEST(VRObjectTree, MembersKeepTheirOrderWhoeverLeaves) {
+  std::vector<std::unique_ptr<VRObject>> objects;
+  VRObject parent("parent");
+  for (int i = 0; i < 9; ++i) {
+    objects.push_back(std::make_unique<VRObject>(std::to_string(i)));
+    parent.addMember(objects.back().get());
+  }
+  const auto names = [&] {
+    std::string all;
+    for (const VRObject* member : parent.members()) all += member->name();
+    return all;
+  };
+  for (const std::size_t leaving : {0U, 1U, 4U, 8U, 7U}) parent.removeMember(objects[leaving].get());
+  EXPECT_EQ(names(), "2356");
+  parent.addMember(objects[0].get());
+  EXPECT_EQ(names(), "23560");
+  for (int i = 0; i < 100; ++i) {  // first out and in again: the list must not grow for ever
+    VRObject* first = parent.members().front();
+    parent.removeMember(first);
+    parent.addMember(first);
+  }
+  EXPECT_EQ(names(), "23560");
+  expectRefusal<std::invalid_argument>([&] { parent.removeMember(objects[8].get()); }, "8", "not its member");
+}
+
 }  // namespace
 }  // namespace coherency

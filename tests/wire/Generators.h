@@ -79,7 +79,8 @@ inline SceneDescription scene() {
   if (*rc::gen::arbitrary<bool>()) s.robot = {random::base(), random::base()};
   const int objects = *rc::gen::inRange(0, 6);
   for (int i = 0; i < objects; ++i)
-    s.objects.push_back({text(), text(), random::base(), text(), *rc::gen::inRange(0, kMaxObjectCount + 1)});
+    s.objects.push_back(
+        {text(), text(), random::base(), text(), *rc::gen::inRange(0, kMaxSceneParts / 6 + 1)});
   return s;
 }
 

@@ -125,7 +125,15 @@ TEST(Validity, ASceneNamesPossibleObjects) {
   EXPECT_FALSE(valid([](auto& s) { s.objects[0].kind = "two\nlines"; }));
   EXPECT_FALSE(valid([](auto& s) { s.objects[0].place.y_nm = kWorldLimitNm + 1; }));
   EXPECT_FALSE(valid([](auto& s) { s.objects[0].count = -1; }));
-  EXPECT_FALSE(valid([](auto& s) { s.objects[0].count = kMaxObjectCount + 1; }));
+  EXPECT_TRUE(valid([](auto& s) { s.objects[0].count = kMaxSceneParts; }));
+  EXPECT_FALSE(valid([](auto& s) { s.objects[0].count = kMaxSceneParts + 1; }));
+  EXPECT_FALSE(valid([](auto& s) {
+    s.objects[0].count = kMaxSceneParts;
+    s.objects.push_back({"grid", "another", {}, "", 1});
+  })) << "many small ones cost as much as a large one";
+  EXPECT_FALSE(valid([](auto& s) {
+    s.objects.assign(kMaxSceneObjects, {"grid", "g", {}, "", std::numeric_limits<std::int32_t>::max()});
+  }));
   EXPECT_FALSE(valid([](auto& s) { s.objects.resize(kMaxSceneObjects + 1, s.objects[0]); }));
   EXPECT_FALSE(valid([](auto& s) { s.workplace.x_nm = -kWorldLimitNm - 1; }));
   EXPECT_FALSE(valid([](auto& s) { s.robot->start.z_nm = kWorldLimitNm + 1; }));

@@ -33,15 +33,6 @@ TEST(Attributes, OfAnyTypeAreFoundByWhoKnowsIt) {
   EXPECT_EQ(cup.attribute<Surface>(), nullptr);
 }
 
-TEST(Attributes, CanBeTakenAway) {
-  Attributes attributes;
-  attributes.attach(3);
-  attributes.attach(4.0);
-  attributes.detach<int>();
-  EXPECT_EQ(attributes.find<int>(), nullptr);
-  EXPECT_EQ(*attributes.find<double>(), 4.0);
-}
-
 struct Room {
   Room() {
     for (auto* object : {&fan, &clock, &far}) root.addMember(object);
