@@ -10,7 +10,7 @@
 #include "render_client/compile/CompiledScene.h"
 #include "render_client/compile/ToneCurve.h"
 #include "render_client/draw/FixedPass.h"
-#include "render_client/draw/LampChoice.h"
+#include "render_client/draw/LampSets.h"
 #include "render_client/draw/MovingPass.h"
 #include "render_client/draw/OverheadShadow.h"
 #include "render_client/draw/RenderTarget.h"
@@ -70,18 +70,16 @@ struct Renderer::Gl {
   int shadowResolution() const { return settings.shadows ? settings.shadow_resolution : 0; }
 
   void draw(std::span<const EyeView> views) {
-    const TransformMatrix& t_world_vehicle = views.front().t_world_vehicle;
     const Coord3 eye = views.front().t_world_eye.origin();
     const OverheadShadow* const map = shadow ? &*shadow : nullptr;
-    // About the hands of whoever sits on it.
-    const ChosenLamps chosen = lamps.at(t_world_vehicle.point({0.0, 1.1, -0.4}));
     uniforms.reserve(views.size());
-    moving.begin(compiled, eye, views.size());
+    lamps.update();
+    moving.begin(compiled, lamps, eye, views.size());
     fixed.begin(compiled, eye, views.size(), map);
     if (map != nullptr) map->bindTexture();
     for (std::size_t slot = 0; slot < views.size(); ++slot) {
       const EyeView& view = views[slot];
-      uniforms.write(slot, view, ambient, chosen, map);
+      uniforms.write(slot, view, ambient, map);
       uniforms.bind(slot);
       glViewport(view.x, view.y, view.width, view.height);
       moving.draw(slot, view.t_world_eye.origin(), compiled, buffers);
@@ -100,7 +98,7 @@ struct Renderer::Gl {
   Ambient ambient;
   CompiledScene compiled;
   SceneBuffers buffers;
-  LampChoice lamps;
+  LampSets lamps;
   MovingPass moving;
   FixedPass fixed;
   ViewUniforms uniforms;

@@ -12,8 +12,6 @@ layout(std140, binding = 0) uniform View {
   mat4 shadow_from_world;  // to u, v and height in the shadow map
   vec4 sky;
   vec4 ground;
-  vec4 lamp_position[4];  // w: reach, m
-  vec4 lamp_colour[4];    // irradiance at 1 m
 };
 
 layout(location = 0) in vec3 position;
@@ -52,8 +50,18 @@ struct Object {
   vec4 normal_y;
   vec4 normal_z;
   vec4 colour_gloss;
+  vec4 place_root;  // for which its lamps were chosen, and the number of their set
+};
+struct Lamp {
+  vec4 position_reach;  // m, from that place
+  vec4 colour;          // irradiance at 1 m
+};
+struct LampSet {
+  vec4 others;  // irradiance from above of those not chosen
+  Lamp lamps[4];
 };
 layout(std430, binding = 0) readonly buffer Objects { Object objects[]; };
+layout(std430, binding = 1) readonly buffer LampSets { LampSet lamp_sets[]; };
 layout(location = 1) in vec3 normal;
 
 float falloff(float square, float reach) {
@@ -72,14 +80,18 @@ void main() {
   float gloss = 0.5 * objects[object].colour_gloss.a;
   float emission = objects[object].normal_x_emission.w;
 
-  vec3 irradiance = mix(ground.rgb, sky.rgb, 0.5 + 0.5 * n.y);
+  uint set = uint(objects[object].place_root.w);
+  vec3 from_place = p - objects[object].place_root.xyz;
+  vec3 irradiance = mix(ground.rgb, sky.rgb + lamp_sets[set].others.rgb, 0.5 + 0.5 * n.y);
   vec3 overhead = AMBIENT_SHADE * irradiance;
   vec3 highlights = vec3(0.0);
   for (int i = 0; i < LAMPS; ++i) {
-    vec3 l = lamp_position[i].xyz - p;
+    vec4 position_reach = lamp_sets[set].lamps[i].position_reach;
+    vec3 l = position_reach.xyz - from_place;
     float square = dot(l, l);
     l *= inversesqrt(square);
-    vec3 reaching = lamp_colour[i].rgb * (falloff(square, lamp_position[i].w) * max((dot(n, l) + 0.1) / 1.1, 0.0));
+    vec3 reaching = lamp_sets[set].lamps[i].colour.rgb *
+                    (falloff(square, position_reach.w) * max((dot(n, l) + 0.1) / 1.1, 0.0));
     float highlight = max(dot(n, normalize(l + to_eye)), 0.0);
     for (int squaring = 0; squaring < 5; ++squaring) highlight *= highlight;  // to the 32nd power
     irradiance += reaching;
