@@ -14,6 +14,7 @@ EyeView eyeView(const Scene& scene, Mode mode, const HmdProfile& hmd, Eye eye, i
   result.width = width;
   result.height = height;
   result.t_world_vehicle = vehicle(scene, mode);
+  result.t_world_other_vehicle = otherVehicle(scene, mode);
   return result;
 }
 
@@ -30,6 +31,11 @@ EyeChoice eyeChoice(std::string_view name) {
 TransformMatrix vehicle(const Scene& scene, Mode mode) {
   if (mode == Mode::Robot && scene.robot() != nullptr) return scene.robot()->globalTransform();
   return scene.human().globalTransform();
+}
+
+std::optional<TransformMatrix> otherVehicle(const Scene& scene, Mode mode) {
+  if (scene.robot() == nullptr) return std::nullopt;
+  return vehicle(scene, mode == Mode::Robot ? Mode::Operator : Mode::Robot);
 }
 
 void eyeViews(const Scene& scene, Mode mode, const HmdProfile& hmd, EyeChoice choice, int width, int height,

@@ -10,8 +10,8 @@
 namespace coherency {
 
 MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution)
-    : program_(makeProgram("moving", movingVertexShader({lamp_count, shadow_resolution}),
-                           fragmentShader({lamp_count, shadow_resolution}))),
+    : program_(makeProgram("moving", movingVertexShader({true, lamp_count, shadow_resolution}),
+                           fragmentShader({true, lamp_count, shadow_resolution}))),
       commands_(scene.moving().drawables.size()),
       order_(scene.moving().drawables.size()),
       objects_(scene.moving().drawables.size()),

@@ -117,8 +117,7 @@ Renderer::~Renderer() = default;
 void Renderer::draw(std::span<const EyeView> views) {
   setDrawingState();
   gl_->compiled.update();
-  if (gl_->shadow && !views.empty())
-    gl_->shadow->render(gl_->compiled, gl_->buffers, views.front().t_world_vehicle);
+  if (gl_->shadow && !views.empty()) gl_->shadow->render(gl_->compiled, gl_->buffers, views.front());
   gl_->target.bind();
   const glm::vec3 sky(gl_->ambient.sky.glm());
   glClearColor(encoded(tone(sky.r)), encoded(tone(sky.g)), encoded(tone(sky.b)), 1.0F);

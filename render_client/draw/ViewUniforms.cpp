@@ -11,6 +11,7 @@ namespace {
 struct Block {
   glm::mat4 clip_from_world;
   glm::mat4 shadow_from_world{0.0F};
+  glm::vec4 to_second_tile{0.0F};
   glm::vec4 sky;
   glm::vec4 ground;
 };
@@ -31,7 +32,10 @@ void ViewUniforms::write(std::size_t slot, const EyeView& view, const Ambient& a
       glm::mat4(projection(view.view, view.near_m).glm() * view.t_world_eye.linear().rigidInverse().glm());
   block.sky = glm::vec4(vec3(ambient.sky), 0.0F);
   block.ground = glm::vec4(vec3(ambient.ground), 0.0F);
-  if (shadow != nullptr) block.shadow_from_world = shadow->mappingFrom(eye);
+  if (shadow != nullptr) {
+    block.shadow_from_world = shadow->mappingFrom(eye);
+    block.to_second_tile = glm::vec4(shadow->toSecondTile(), 0.0F);
+  }
   buffer_.write(slot, &block, sizeof(block));
 }
 

@@ -308,6 +308,49 @@ TEST_F(Shadow, DoesNotJumpAsTheVehicleDrives) {
   }
 }
 
+/// A wide floor at y = 0 with something that moves standing on it 4 m to the right, seen from above.
+struct Hall {
+  Hall() {
+    scene.setAmbient({0.3, 0.3, 0.3}, {0.2, 0.2, 0.2});
+    scene.addLight({{4.2, 2.0, 0.1}, {1.0, 1.0, 1.0}, 2.0});
+    scene.add<Box>({0.0, -0.05, 0.0}, matt(0.0, 0.5, 0.0), Coord3{16.0, 0.1, 12.0});
+    scene.addMoving<Box>({4.0, 0.3, 0.0}, matter(), Coord3{0.3, 0.6, 0.3});
+    view = lookingAhead({}, kWidth, kHeight);
+    view.t_world_eye =
+        TransformMatrix::translation({4.0, 1.6, 0.0}) * TransformMatrix::rotationX(-0.25 * kTurn);
+    view.t_world_vehicle = TransformMatrix::translation({0.0, 0.0, 0.0});
+  }
+  TestScene scene;
+  EyeView view;
+  const TransformMatrix there = TransformMatrix::translation({4.0, 0.0, 0.0});
+};
+
+TEST_F(Shadow, LiesBelowTheOtherVehicleTooAsItWouldBelowOnesOwn) {
+  Hall hall;
+  const Image without = picture(hall.scene, hall.view, {.shadows = false});
+  EXPECT_LE(shareDiffering(picture(hall.scene, hall.view), without, 0), 0.0) << "nobody is there";
+  hall.view.t_world_other_vehicle = hall.there;
+  const Image other = picture(hall.scene, hall.view);
+  EXPECT_GT(shareDiffering(other, without, 20), 0.005);
+  hall.view.t_world_vehicle = TransformMatrix::translation({4.0, 0.0, 0.6});
+  hall.view.t_world_other_vehicle.reset();
+  EXPECT_LE(shareDiffering(picture(hall.scene, hall.view), other, 2), 0.0);
+}
+
+TEST_F(Shadow, OfTheOtherVehicleDoesNotJumpAsOneDrivesUpToIt) {
+  Hall hall;
+  hall.view.t_world_other_vehicle = hall.there;
+  Renderer renderer(hall.scene, hall.scene.illumination(), kWidth, kHeight);
+  Image last = picture(renderer, {&hall.view, 1});
+  for (int i = 1; i < 60; ++i) {
+    hall.view.t_world_vehicle =
+        TransformMatrix::translation({4.3 - 0.061 * i, 0.0, 0.7}) * TransformMatrix::rotationY(0.02 * i);
+    const Image now = picture(renderer, {&hall.view, 1});
+    ASSERT_LE(shareDiffering(now, last, 4), 0.0) << "step " << i;
+    last = now;
+  }
+}
+
 TEST_F(Shadow, IsLookedForOnlyWhereItCanBe) {
   TestScene scene;
   scene.addLight({{0.0, 2.5, 0.0}, {1.0, 1.0, 1.0}, 3.0});
