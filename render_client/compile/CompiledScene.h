@@ -25,7 +25,7 @@ struct Drawable {
 /// What moves as a whole: an object with the attribute Moving, and all below it that shows faces.
 struct MovingRoot {
   std::uint32_t node;
-  Coord3 middle;  ///< in the node's frame: over the middle of the box about all of it, as it was compiled
+  Coord3 middle;  ///< in the node's frame: a little above that of the box about all, as it was compiled
 };
 
 /// A vertex of what never moves, as it lies in the vertex buffer.
@@ -45,9 +45,9 @@ struct Surfaces {
 
 /// A tree of objects made ready for drawing (geometry compilation, paper, section III.C.1). What never moves,
 /// no object from the root down to it having the attribute Moving, stands in the world once and for all, with
-/// its light at its vertices. What moves is a list with parents first, so that a frame neither walks pointers
-/// recursively nor allocates. The tree must outlive this and keep its structure; transforms may change where
-/// it is marked so, materials everywhere, although light keeps the colours it had.
+/// its light at its vertices. What moves is a list, parents first: a frame walks no pointers and allocates
+/// nothing. The tree must outlive this and keep its structure; transforms may change where it is marked so,
+/// materials everywhere, although light keeps the colours it had.
 class CompiledScene {
  public:
   /// Throws what buildMesh() throws, with the object's path.
@@ -64,7 +64,6 @@ class CompiledScene {
   const std::vector<MovingRoot>& movingRoots() const { return roots_; }
   /// Where one of them is, as of the last update(): a function of its transform alone, whatever its joints.
   Coord3 place(const MovingRoot& root) const { return t_world_[root.node].point(root.middle); }
-
   /// How much of a lamp is in sight from about a place in the world (LightBaker::inSight()).
   float inSight(std::size_t lamp, const Coord3& place) const;
 

@@ -67,9 +67,17 @@ OverheadShadow::OverheadShadow(int resolution, std::size_t moving_count)
   casters_.reserve(moving_count);
   matrices_.reserve(tiles_.size());
   makeMap(depth_.name(), resolution);
+  glClearTexImage(depth_.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   glNamedFramebufferDrawBuffer(frame_.name(), GL_NONE);
   glNamedFramebufferReadBuffer(frame_.name(), GL_NONE);
+}
+
+OverheadShadow::Tile::Tile(std::size_t moving_count) : commands(moving_count) {
+  for (Casters* list : {&casters, &drawn}) {
+    list->drawables.reserve(moving_count);
+    list->map_from_mesh.reserve(moving_count);
+  }
 }
 
 void OverheadShadow::Tile::place(const Coord3& middle, double texel) {
@@ -84,8 +92,9 @@ WorldBox OverheadShadow::Tile::region() const {
 
 void OverheadShadow::Tile::add(const CompiledScene& scene, const Drawable& drawable) {
   const TransformMatrix& t_world_object = scene.worldTransform(drawable);
-  commands.add(drawable, matrices.size(), handedness(t_world_object) < 0.0);
-  matrices.emplace_back(kMapFromMiddle * fromEye(map_middle, t_world_object, drawable.origin));
+  commands.add(drawable, casters.drawables.size(), handedness(t_world_object) < 0.0);
+  casters.drawables.push_back(&drawable);
+  casters.map_from_mesh.emplace_back(kMapFromMiddle * fromEye(map_middle, t_world_object, drawable.origin));
 }
 
 void OverheadShadow::placeTiles(const EyeView& view) {
@@ -106,7 +115,8 @@ void OverheadShadow::chooseCasters(const CompiledScene& scene) {
   casters_.clear();
   for (Tile& tile : tiles_) {
     tile.commands.clear();
-    tile.matrices.clear();
+    tile.casters.drawables.clear();
+    tile.casters.map_from_mesh.clear();
   }
   for (const Drawable& drawable : scene.moving().drawables) {
     if (drawable.faces->material.emission >= kShines ||
@@ -131,17 +141,23 @@ void OverheadShadow::render(const CompiledScene& scene, const SceneBuffers& buff
   glUseProgram(program_.name());
   buffers.bindMoving();
   glEnable(GL_SCISSOR_TEST);
-  for (std::size_t t = 0; t < tile_count_; ++t) {
-    const int left = static_cast<int>(t) * resolution_;
-    glViewport(left, 0, resolution_, resolution_);
-    glScissor(left, 0, resolution_, resolution_);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    tiles_[t].commands.upload();
-    matrices_.write(t, tiles_[t].matrices.data(), tiles_[t].matrices.size() * sizeof(glm::mat4));
-    matrices_.bind(t, 0);
-    tiles_[t].commands.draw();
-  }
+  for (std::size_t t = 0; t < tile_count_; ++t)
+    if (tiles_[t].casters != tiles_[t].drawn) draw(t);
   glDisable(GL_SCISSOR_TEST);
+}
+
+void OverheadShadow::draw(std::size_t number) {
+  Tile& tile = tiles_[number];
+  const int left = static_cast<int>(number) * resolution_;
+  glViewport(left, 0, resolution_, resolution_);
+  glScissor(left, 0, resolution_, resolution_);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  const std::vector<glm::mat4>& matrices = tile.casters.map_from_mesh;
+  tile.commands.upload();
+  matrices_.write(number, matrices.data(), matrices.size() * sizeof(glm::mat4));
+  matrices_.bind(number, 0);
+  tile.commands.draw();
+  std::swap(tile.casters, tile.drawn);
 }
 
 bool OverheadShadow::reaches(const WorldBox& box) const {

@@ -19,8 +19,8 @@ namespace coherency {
 /// 4 m above it, that goes with the vehicle one drives, in steps of its texels, so that shadows neither crawl
 /// nor jump; they fade towards its border. Where the scene's other vehicle stands beyond it, a second tile of
 /// the same texture goes with that. Both see the same things along the same light on the same lattice, so
-/// that it makes no difference from which of them a pixel has its shadow. Only what moves casts; what it
-/// casts on may move or not.
+/// that it makes no difference from which of them a pixel has its shadow. A tile in which nothing has moved
+/// is not drawn anew. Only what moves casts; what it casts on may move or not.
 class OverheadShadow {
  public:
   /// Throws std::runtime_error where the driver has no such resolution. `moving_count`: of drawables.
@@ -39,8 +39,13 @@ class OverheadShadow {
   void bindTexture() const { glBindTextureUnit(0, depth_.name()); }
 
  private:
+  struct Casters {
+    std::vector<const Drawable*> drawables;
+    std::vector<glm::mat4> map_from_mesh;
+    bool operator==(const Casters&) const = default;
+  };
   struct Tile {
-    explicit Tile(std::size_t moving_count) : commands(moving_count) { matrices.reserve(moving_count); }
+    explicit Tile(std::size_t moving_count);
     void place(const Coord3& middle, double texel);
     WorldBox region() const;
     void add(const CompiledScene& scene, const Drawable& drawable);
@@ -48,11 +53,13 @@ class OverheadShadow {
     Coord3 floor_middle;
     Coord3 map_middle;  ///< where what mappingFrom() gives is 0
     DrawCommands commands;
-    std::vector<glm::mat4> matrices;  ///< by command
+    Casters casters;
+    Casters drawn;  ///< what is in the texture
   };
 
   void placeTiles(const EyeView& view);
   void chooseCasters(const CompiledScene& scene);
+  void draw(std::size_t number);
 
   int resolution_;
   Texture depth_;

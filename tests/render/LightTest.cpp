@@ -351,6 +351,23 @@ TEST_F(Shadow, OfTheOtherVehicleDoesNotJumpAsOneDrivesUpToIt) {
   }
 }
 
+TEST_F(Shadow, OfWhatRestsIsKeptAndOfWhatMovedIsNew) {
+  Hall hall;
+  hall.view.t_world_other_vehicle = hall.there;
+  Box& block = hall.scene.addMoving<Box>({4.4, 0.8, 0.3}, matter(), Coord3{0.1, 0.1, 0.1});
+  Renderer renderer(hall.scene, hall.scene.illumination(), kWidth, kHeight);
+  const Image first = picture(renderer, {&hall.view, 1});
+  EXPECT_EQ(shareDiffering(picture(renderer, {&hall.view, 1}), first, 0), 0.0);
+  block.setPosition(4.1, 0.9, -0.4);
+  const Image moved = picture(renderer, {&hall.view, 1});
+  EXPECT_EQ(shareDiffering(moved, picture(hall.scene, hall.view), 0), 0.0) << "a new renderer's";
+  block.setMaterial(kRed);  // shines: casts none
+  EXPECT_EQ(shareDiffering(picture(renderer, {&hall.view, 1}), picture(hall.scene, hall.view), 0), 0.0);
+  block.setPosition(4.4, 0.8, 0.3);
+  block.setMaterial(matter());
+  EXPECT_EQ(shareDiffering(picture(renderer, {&hall.view, 1}), first, 0), 0.0);
+}
+
 TEST_F(Shadow, IsLookedForOnlyWhereItCanBe) {
   TestScene scene;
   scene.addLight({{0.0, 2.5, 0.0}, {1.0, 1.0, 1.0}, 3.0});
