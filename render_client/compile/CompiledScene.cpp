@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -98,6 +99,7 @@ void CompiledScene::addMovingTree(const VRObject& root, const TransformMatrix& t
   nodes_.push_back({nullptr, kWorld});
   t_world_.push_back(t_world_parent);
   nodes_.push_back({&root, above});
+  const std::size_t first = moving_.drawables.size();
   // Nodes are appended while the list is walked: breadth first, parents before their members.
   for (std::uint32_t n = above + 1; n < nodes_.size(); ++n) {
     const VRObject& object = *nodes_[n].object;
@@ -105,6 +107,28 @@ void CompiledScene::addMovingTree(const VRObject& root, const TransformMatrix& t
     for (const VRObject* member : object.members()) nodes_.push_back({member, n});
   }
   t_world_.resize(nodes_.size());
+  if (moving_.drawables.size() > first) roots_.push_back({above + 1, middleOf(first, above + 1)});
+}
+
+/// Of the drawables from `first` on. Three quarters up: light comes from above, and of what stands on a floor
+/// or reaches under a table one sees the upper half.
+Coord3 CompiledScene::middleOf(std::size_t first, std::uint32_t root) const {
+  std::vector<TransformMatrix> t_root{{}};  // T_root_node
+  for (std::uint32_t n = root + 1; n < nodes_.size(); ++n)
+    t_root.push_back(t_root[nodes_[n].parent - root] * nodes_[n].object->transform());
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high(std::numeric_limits<double>::lowest());
+  for (std::size_t d = first; d < moving_.drawables.size(); ++d) {
+    const Drawable& drawable = moving_.drawables[d];
+    const TransformMatrix& t = t_root[drawable.node - root];
+    const glm::dvec3 at = t.point(drawable.origin).glm();
+    const glm::dvec3 half = drawable.half_extent.glm();
+    glm::dvec3 reach(0.0);
+    for (int axis = 0; axis < 3; ++axis) reach += glm::abs(glm::dvec3(t.glm()[axis])) * half[axis];
+    low = glm::min(low, at - reach);
+    high = glm::max(high, at + reach);
+  }
+  return Coord3(glm::mix(low, high, glm::dvec3(0.5, 0.75, 0.5)));
 }
 
 void CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
@@ -115,7 +139,7 @@ void CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
   refine(mesh, lightingEdge(object, half_extent));
   moving_.drawables.push_back({object.faces(), node, mesh.origin, half_extent,
                                radius(mesh.vertices, 0, mesh.vertices.size()), count(moving_.indices),
-                               count(mesh.indices), count(moving_.vertices)});
+                               count(mesh.indices), count(moving_.vertices), false, count(roots_)});
   moving_.vertices.insert(moving_.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
   moving_.indices.insert(moving_.indices.end(), mesh.indices.begin(), mesh.indices.end());
 }

@@ -20,7 +20,14 @@ struct Drawable {
   std::uint32_t first_index = 0;
   std::uint32_t index_count = 0;
   std::uint32_t first_vertex = 0;
-  bool shaded = false;  ///< never moves, and could be darkened by what does
+  bool shaded = false;     ///< never moves, and could be darkened by what does
+  std::uint32_t root = 0;  ///< moves: its place in CompiledScene::movingRoots()
+};
+
+/// What moves as a whole: an object with the attribute Moving, and all below it that shows faces.
+struct MovingRoot {
+  std::uint32_t node;
+  Coord3 middle;  ///< in the node's frame: a little above that of the box about all, as it was compiled
 };
 
 /// A vertex of what never moves, as it lies in the vertex buffer.
@@ -40,9 +47,9 @@ struct Surfaces {
 
 /// A tree of objects made ready for drawing (geometry compilation, paper, section III.C.1). What never moves,
 /// no object from the root down to it having the attribute Moving, stands in the world once and for all, with
-/// its light at its vertices. What moves is a list with parents first, so that a frame neither walks pointers
-/// recursively nor allocates. The tree must outlive this and keep its structure; transforms may change where
-/// it is marked so, materials everywhere, although light keeps the colours it had.
+/// its light at its vertices. What moves is a list, parents first: a frame walks no pointers and allocates
+/// nothing. The tree must outlive this and keep its structure; transforms may change where it is marked so,
+/// materials everywhere, although light keeps the colours it had.
 class CompiledScene {
  public:
   /// Throws what buildMesh() throws, with the object's path.
@@ -58,6 +65,9 @@ class CompiledScene {
   /// About all of it, whatever its transform does to it (block clipping, paper, section III.C.2).
   Sphere worldSphere(const Drawable& drawable) const;
 
+  const std::vector<MovingRoot>& movingRoots() const { return roots_; }
+  /// Where one of them is, as of the last update(): a function of its transform alone, whatever its joints.
+  Coord3 place(const MovingRoot& root) const { return t_world_[root.node].point(root.middle); }
   /// How much of a lamp is in sight from about a place in the world (LightBaker::inSight()).
   float inSight(std::size_t lamp, const Coord3& place) const;
 
@@ -70,10 +80,12 @@ class CompiledScene {
   void addTree(const VRObject& root, FixedMesh& mesh);
   void addMovingTree(const VRObject& root, const TransformMatrix& t_world_parent);
   void addMoving(const VRObject& object, std::uint32_t node);
+  Coord3 middleOf(std::size_t first, std::uint32_t root) const;
   void addFixed(const FixedMesh& mesh);
 
   std::vector<Node> nodes_;  ///< of one without an object the transform stays
   std::vector<TransformMatrix> t_world_;
+  std::vector<MovingRoot> roots_;
   Surfaces<LitVertex> fixed_;
   Surfaces<MeshVertex> moving_;
   Bake bake_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "common/math/Frustum.h"
 #include "common/math/TransformMatrix.h"
 
@@ -7,8 +9,8 @@ namespace coherency {
 
 /// One eye's picture: where the eye is, what it takes in, and where on the target it goes (pixels, from the
 /// bottom left corner as OpenGL has it); and where the vehicle stands that the eye goes with, the same for
-/// both eyes: it is about there that things move, and what moves is lit and casts shadows (LampChoice,
-/// OverheadShadow).
+/// both eyes, and where the other one of the scene does: it is about these that what moves casts shadows
+/// (OverheadShadow).
 struct EyeView {
   TransformMatrix t_world_eye;  ///< rigid; -z ahead
   FieldOfView view;
@@ -17,8 +19,9 @@ struct EyeView {
   int y = 0;
   int width = 0;
   int height = 0;
-  TransformMatrix t_world_vehicle;  ///< rigid, on the floor; -z ahead
-  double text_x = 0.0;              ///< where text begins, pixels from the view's top left corner
+  TransformMatrix t_world_vehicle;                                      ///< rigid, on the floor; -z ahead
+  std::optional<TransformMatrix> t_world_other_vehicle = std::nullopt;  ///< none where there is but one
+  double text_x = 0.0;  ///< where text begins, pixels from the view's top left corner
   double text_y = 0.0;
   double text_width = 0.0;  ///< lines are broken there, pixels; 0: at the view's right border
 };

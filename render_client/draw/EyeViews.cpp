@@ -38,6 +38,7 @@ EyeView eyeView(const Scene& scene, Mode mode, const HmdProfile& hmd, Eye eye, i
   result.height = height;
   if (eye != Eye::Mono) placeText(result, hmd, eye, eyeDistance(scene));
   result.t_world_vehicle = vehicle(scene, mode);
+  result.t_world_other_vehicle = otherVehicle(scene, mode);
   return result;
 }
 
@@ -54,6 +55,11 @@ EyeChoice eyeChoice(std::string_view name) {
 TransformMatrix vehicle(const Scene& scene, Mode mode) {
   if (mode == Mode::Robot && scene.robot() != nullptr) return scene.robot()->globalTransform();
   return scene.human().globalTransform();
+}
+
+std::optional<TransformMatrix> otherVehicle(const Scene& scene, Mode mode) {
+  if (scene.robot() == nullptr) return std::nullopt;
+  return vehicle(scene, mode == Mode::Robot ? Mode::Operator : Mode::Robot);
 }
 
 void eyeViews(const Scene& scene, Mode mode, const HmdProfile& hmd, EyeChoice choice, int width, int height,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,8 @@ constexpr int eyeCount(EyeChoice choice) {
 
 /// T_world_vehicle of what one drives in that mode.
 TransformMatrix vehicle(const Scene& scene, Mode mode);
+/// Of the one that stays behind; none where the scene has but one.
+std::optional<TransformMatrix> otherVehicle(const Scene& scene, Mode mode);
 
 /// The views of the eyes of whom the operator is as the scene now stands (eq. 5), each `width` x `height`
 /// pixels; both eyes stand side by side, the left one on the left. `views` is refilled, not reallocated.

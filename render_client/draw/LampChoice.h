@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -26,11 +25,12 @@ struct ChosenLamps {
 /// Chooses, for a place, the lamps that are strongest there, those behind walls less or not at all. Each is
 /// weighted by how much stronger it is than the strongest left out, (s_i - s_5) / s_i, so that none appears
 /// or vanishes suddenly as the place moves. A function of the place alone: every eye that asks gets the same.
+/// Const: any number of threads may ask at once.
 class LampChoice {
  public:
   LampChoice(Illumination illumination, const CompiledScene& scene);
 
-  ChosenLamps at(const Coord3& place);
+  ChosenLamps at(const Coord3& place) const;
 
  private:
   struct Candidate {
@@ -39,11 +39,10 @@ class LampChoice {
     float strength;  ///< brightness of the irradiance it brings
   };
 
-  void weigh(const Coord3& place);
+  Candidate candidate(std::size_t lamp, const Coord3& place) const;
 
   Illumination illumination_;
   const CompiledScene& scene_;
-  std::vector<Candidate> candidates_;
 };
 
 }  // namespace coherency

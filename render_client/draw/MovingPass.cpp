@@ -1,5 +1,6 @@
 #include "render_client/draw/MovingPass.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render_client/compile/NormalMatrix.h"
@@ -9,15 +10,38 @@
 namespace coherency {
 
 MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution)
-    : program_(makeProgram("moving", movingVertexShader({lamp_count, shadow_resolution}),
-                           fragmentShader({lamp_count, shadow_resolution}))),
+    : program_(makeProgram("moving", movingVertexShader({true, lamp_count, shadow_resolution}),
+                           fragmentShader({true, lamp_count, shadow_resolution}))),
       commands_(scene.moving().drawables.size()),
       order_(scene.moving().drawables.size()),
       objects_(scene.moving().drawables.size()),
-      object_buffer_(GL_SHADER_STORAGE_BUFFER, objects_.size() * sizeof(Object)) {}
+      object_buffer_(GL_SHADER_STORAGE_BUFFER, objects_.size() * sizeof(Object)) {
+  const std::size_t roots = std::max<std::size_t>(scene.movingRoots().size(), 1);
+  glNamedBufferStorage(lamp_buffer_.name(), static_cast<GLsizeiptr>(roots * sizeof(LampSet)), nullptr,
+                       GL_DYNAMIC_STORAGE_BIT);
+}
 
-void MovingPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count,
-                       const ViewPyramids& views) {
+void MovingPass::writeLamps(const CompiledScene& scene, const LampSets& lamps) {
+  // What lamps that were not chosen would bring comes from above, from everywhere: half of it to a surface
+  // that faces none of them in particular.
+  constexpr float kOfOthers = 0.5F;
+  for (const std::size_t root : lamps.changed()) {
+    const ChosenLamps& chosen = lamps.sets()[root];
+    const Coord3 place = scene.place(scene.movingRoots()[root]);
+    LampSet set{glm::vec4(kOfOthers * chosen.others, 0.0F), {}};
+    for (std::size_t i = 0; i < kChosenLamps; ++i) {
+      const ChosenLamp& lamp = chosen.lamps[i];
+      set.lamps[i] = {glm::vec4(glm::vec3((lamp.position - place).glm()), lamp.reach),
+                      glm::vec4(lamp.colour, 0.0F)};
+    }
+    glNamedBufferSubData(lamp_buffer_.name(), static_cast<GLintptr>(root * sizeof(LampSet)), sizeof(LampSet),
+                         &set);
+  }
+}
+
+void MovingPass::begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& eye,
+                       std::size_t view_count, const ViewPyramids& views) {
+  writeLamps(scene, lamps);
   object_buffer_.reserve(view_count);
   order_.clear();
   const std::vector<Drawable>& drawables = scene.moving().drawables;
@@ -39,9 +63,13 @@ void MovingPass::writeObject(std::size_t number, const Coord3& eye, const Compil
   const glm::dmat4 from_eye = fromEye(eye, scene.worldTransform(drawable), drawable.origin);
   const glm::dmat3 normals = normalMatrix(glm::dmat3(from_eye));
   const Material& material = drawable.faces->material;
-  objects_[number] = {glm::mat4(from_eye), glm::vec4(glm::dvec4(normals[0], material.emission)),
-                      glm::vec4(glm::dvec4(normals[1], 0.0)), glm::vec4(glm::dvec4(normals[2], 0.0)),
-                      glm::vec4(glm::dvec4(material.colour.glm(), material.gloss))};
+  const MovingRoot& root = scene.movingRoots()[drawable.root];
+  objects_[number] = {glm::mat4(from_eye),
+                      glm::vec4(glm::dvec4(normals[0], material.emission)),
+                      glm::vec4(glm::dvec4(normals[1], 0.0)),
+                      glm::vec4(glm::dvec4(normals[2], 0.0)),
+                      glm::vec4(glm::dvec4(material.colour.glm(), material.gloss)),
+                      glm::vec4(glm::dvec4((scene.place(root) - eye).glm(), drawable.root))};
 }
 
 void MovingPass::draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene,
@@ -49,6 +77,7 @@ void MovingPass::draw(std::size_t slot, const Coord3& eye, const CompiledScene& 
   for (const NearestFirst::Shown& shown : order_.shown()) writeObject(shown.number, eye, scene);
   object_buffer_.write(slot, objects_.data(), objects_.size() * sizeof(Object));
   object_buffer_.bind(slot, 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, lamp_buffer_.name());
   buffers.bindMoving();
   glUseProgram(program_.name());
   commands_.draw();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -7,6 +8,7 @@
 
 #include "render_client/cull/ViewPyramid.h"
 #include "render_client/draw/DrawCommands.h"
+#include "render_client/draw/LampSets.h"
 #include "render_client/draw/NearestFirst.h"
 #include "render_client/draw/SceneBuffers.h"
 #include "render_client/draw/SlottedBuffer.h"
@@ -14,8 +16,8 @@
 
 namespace coherency {
 
-/// Draws what moves: light is computed at its vertices, of the lamps chosen for the frame, and its shadows on
-/// itself are looked for in every pixel.
+/// Draws what moves: light is computed at its vertices, of the lamps chosen for the whole that each belongs
+/// to, and its shadows on itself are looked for in every pixel.
 class MovingPass {
  public:
   /// `lamp_count` of the chosen lamps, at most kChosenLamps; `shadow_resolution`: texels a side of the map,
@@ -23,8 +25,9 @@ class MovingPass {
   /// times the arithmetic).
   MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution);
 
-  /// Chooses what is drawn in this frame, by all its views: what one of them may see.
-  void begin(const CompiledScene& scene, const Coord3& eye, std::size_t view_count,
+  /// Chooses what is drawn in this frame, by all its views: what one of them may see. `lamps` as updated for
+  /// this frame.
+  void begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& eye, std::size_t view_count,
              const ViewPyramids& views);
   /// Draws view number `slot` of the frame, whose uniforms are bound, into the bound framebuffer.
   void draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene, const SceneBuffers& buffers);
@@ -39,8 +42,18 @@ class MovingPass {
     glm::vec4 normal_y;
     glm::vec4 normal_z;
     glm::vec4 colour_gloss;
+    glm::vec4 place_root;  ///< MovingRoot's place from the eye, and its number (exact up to 2^24)
+  };
+  struct Lamp {
+    glm::vec4 position_reach;  ///< from the place: what rests is written once, wherever eyes go
+    glm::vec4 colour;
+  };
+  struct LampSet {
+    glm::vec4 others;
+    std::array<Lamp, kChosenLamps> lamps;
   };
 
+  void writeLamps(const CompiledScene& scene, const LampSets& lamps);
   void writeObject(std::size_t number, const Coord3& eye, const CompiledScene& scene);
 
   Program program_;
@@ -48,6 +61,7 @@ class MovingPass {
   NearestFirst order_;
   std::vector<Object> objects_;
   SlottedBuffer object_buffer_;
+  Buffer lamp_buffer_;
 };
 
 }  // namespace coherency

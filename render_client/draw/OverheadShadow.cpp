@@ -14,17 +14,19 @@
 namespace coherency {
 namespace {
 
-constexpr double kWidth = 4.0;   // m
+constexpr double kHalf = 0.5 * kShadowTileWidth;
 constexpr double kBelow = 1.0;   // m below the vehicle's floor
 constexpr double kHeight = 5.0;  // m from there to the top
 constexpr double kAhead = 0.7;   // m
+constexpr double kOther = 0.9;   // m about the other vehicle, in which its shadow lies
+constexpr double kFull = 0.8;    // of a tile's half width; beyond, shadows fade. The shaders have the same
 constexpr double kSoft = 0.05;   // m, by which a shadow is wider than what casts it
 
-/// u, v and height from metres in the world's axes. Seen from above v runs against z, so that fronts stay
-/// fronts.
-const glm::dmat4 kMapFromCorner({1.0 / kWidth, 0.0, 0.0, 0.0},
-                                {kShadowLean.x / kWidth, -kShadowLean.y / kWidth, 1.0 / kHeight, 0.0},
-                                {0.0, -1.0 / kWidth, 0.0, 0.0}, {0.0, 0.0, 0.0, 1.0});
+/// What OverheadShadow::mappingFrom() gives, from metres in the world's axes from the map's middle. Seen from
+/// above the second runs against z, so that fronts stay fronts.
+const glm::dmat4 kMapFromMiddle({1.0 / kHalf, 0.0, 0.0, 0.0},
+                                {kShadowLean.x / kHalf, -kShadowLean.y / kHalf, 1.0 / kHeight, 0.0},
+                                {0.0, -1.0 / kHalf, 0.0, 0.0}, {0.0, 0.0, 0.0, 1.0});
 
 /// A box with all that is in its shadow down to a height.
 WorldBox withShadow(WorldBox box, double down_to) {
@@ -38,6 +40,7 @@ WorldBox withShadow(WorldBox box, double down_to) {
 int checkedResolution(int resolution) {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  limit /= 2;  // two tiles side by side
   if (resolution < 16 || resolution > limit)
     throw std::runtime_error("shadow resolution " + std::to_string(resolution) + " must be 16 to " +
                              std::to_string(limit) + " with this driver");
@@ -45,7 +48,7 @@ int checkedResolution(int resolution) {
 }
 
 void makeMap(GLuint texture, int resolution) {
-  glTextureStorage2D(texture, 1, GL_DEPTH_COMPONENT32F, resolution, resolution);
+  glTextureStorage2D(texture, 1, GL_DEPTH_COMPONENT32F, 2 * resolution, resolution);
   glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -59,59 +62,102 @@ void makeMap(GLuint texture, int resolution) {
 OverheadShadow::OverheadShadow(int resolution, std::size_t moving_count)
     : resolution_(checkedResolution(resolution)),
       program_(makeProgram("shadow", kShadowVertexShader, kShadowFragmentShader)),
-      matrices_(std::max<std::size_t>(moving_count, 1)),
-      commands_(moving_count) {
+      matrices_(GL_SHADER_STORAGE_BUFFER, moving_count * sizeof(glm::mat4)),
+      tiles_{Tile(moving_count), Tile(moving_count)} {
   casters_.reserve(moving_count);
+  matrices_.reserve(tiles_.size());
   makeMap(depth_.name(), resolution);
+  glClearTexImage(depth_.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   glNamedFramebufferDrawBuffer(frame_.name(), GL_NONE);
   glNamedFramebufferReadBuffer(frame_.name(), GL_NONE);
-  glNamedBufferStorage(matrices_buffer_.name(), static_cast<GLsizeiptr>(matrices_.size() * sizeof(glm::mat4)),
-                       nullptr, GL_DYNAMIC_STORAGE_BIT);
 }
 
-void OverheadShadow::addCaster(const CompiledScene& scene, std::size_t number, const WorldBox& box) {
-  const Drawable& drawable = scene.moving().drawables[number];
+OverheadShadow::Tile::Tile(std::size_t moving_count) : commands(moving_count) {
+  for (Casters* list : {&casters, &drawn}) {
+    list->drawables.reserve(moving_count);
+    list->map_from_mesh.reserve(moving_count);
+  }
+}
+
+void OverheadShadow::Tile::place(const Coord3& middle, double texel) {
+  floor_middle = {texel * std::round(middle.x / texel), middle.y, texel * std::round(middle.z / texel)};
+  map_middle = floor_middle + kBelow * Coord3{kShadowLean.x, -1.0, kShadowLean.y};
+}
+
+WorldBox OverheadShadow::Tile::region() const {
+  const Coord3 half{kHalf, 0.0, kHalf};
+  return {floor_middle - half, floor_middle + half};
+}
+
+void OverheadShadow::Tile::add(const CompiledScene& scene, const Drawable& drawable) {
   const TransformMatrix& t_world_object = scene.worldTransform(drawable);
-  const double hand = handedness(t_world_object);
-  if (drawable.faces->material.emission >= kShines || std::abs(hand) < kFlat) return;
-  const glm::dmat4 clip_from_map({2.0, 0.0, 0.0, 0.0}, {0.0, 2.0, 0.0, 0.0}, {0.0, 0.0, 1.0, 0.0},
-                                 {-1.0, -1.0, 0.0, 1.0});
-  matrices_[number] =
-      glm::mat4(clip_from_map * kMapFromCorner * fromEye(corner_, t_world_object, drawable.origin));
-  commands_.add(drawable, number, hand < 0.0);
-  casters_.push_back(box);
+  commands.add(drawable, casters.drawables.size(), handedness(t_world_object) < 0.0);
+  casters.drawables.push_back(&drawable);
+  casters.map_from_mesh.emplace_back(kMapFromMiddle * fromEye(map_middle, t_world_object, drawable.origin));
+}
+
+void OverheadShadow::placeTiles(const EyeView& view) {
+  const double texel = 2.0 * kHalf / resolution_;
+  const Coord3 middle = view.t_world_vehicle.point({0.0, 0.0, -kAhead});
+  tiles_[0].place(middle, texel);
+  tile_count_ = 1;
+  if (!view.t_world_other_vehicle) return;
+  const Coord3 other = view.t_world_other_vehicle->origin();
+  const glm::dvec3 away = glm::abs((other - middle).glm());
+  if (std::max({away.x, away.y, away.z}) + kOther < kFull * kHalf) return;
+  // Most of its shadow is to the side to which the light leans.
+  tiles_[1].place(other + 0.5 * Coord3{kShadowLean.x, 0.0, kShadowLean.y}, texel);
+  tile_count_ = 2;
 }
 
 void OverheadShadow::chooseCasters(const CompiledScene& scene) {
-  const WorldBox region{floor_middle_ - Coord3{0.5 * kWidth, 0.0, 0.5 * kWidth},
-                        floor_middle_ + Coord3{0.5 * kWidth, 0.0, 0.5 * kWidth}};
-  commands_.clear();
   casters_.clear();
-  for (std::size_t i = 0; i < scene.moving().drawables.size(); ++i) {
-    const WorldBox box = worldBox(scene, scene.moving().drawables[i]);
-    if (overlapFromAbove(withShadow(box, region.low.y), region)) addCaster(scene, i, box);
+  for (Tile& tile : tiles_) {
+    tile.commands.clear();
+    tile.casters.drawables.clear();
+    tile.casters.map_from_mesh.clear();
   }
-  commands_.upload();
-  glNamedBufferSubData(matrices_buffer_.name(), 0,
-                       static_cast<GLsizeiptr>(matrices_.size() * sizeof(glm::mat4)), matrices_.data());
+  for (const Drawable& drawable : scene.moving().drawables) {
+    if (drawable.faces->material.emission >= kShines ||
+        std::abs(handedness(scene.worldTransform(drawable))) < kFlat)
+      continue;
+    const WorldBox box = worldBox(scene, drawable);
+    bool casts = false;
+    for (std::size_t t = 0; t < tile_count_; ++t) {
+      const WorldBox region = tiles_[t].region();
+      if (!overlapFromAbove(withShadow(box, region.low.y), region)) continue;
+      tiles_[t].add(scene, drawable);
+      casts = true;
+    }
+    if (casts) casters_.push_back(box);
+  }
 }
 
-void OverheadShadow::render(const CompiledScene& scene, const SceneBuffers& buffers,
-                            const TransformMatrix& t_world_vehicle) {
-  const Coord3 middle = t_world_vehicle.point({0.0, 0.0, -kAhead});
-  const double texel = kWidth / resolution_;
-  floor_middle_ = {texel * std::round(middle.x / texel), middle.y, texel * std::round(middle.z / texel)};
-  corner_ = floor_middle_ +
-            Coord3{-0.5 * kWidth + kBelow * kShadowLean.x, -kBelow, 0.5 * kWidth + kBelow * kShadowLean.y};
+void OverheadShadow::render(const CompiledScene& scene, const SceneBuffers& buffers, const EyeView& view) {
+  placeTiles(view);
   chooseCasters(scene);
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
-  glViewport(0, 0, resolution_, resolution_);
-  glClear(GL_DEPTH_BUFFER_BIT);
   glUseProgram(program_.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, matrices_buffer_.name());
   buffers.bindMoving();
-  commands_.draw();
+  glEnable(GL_SCISSOR_TEST);
+  for (std::size_t t = 0; t < tile_count_; ++t)
+    if (tiles_[t].casters != tiles_[t].drawn) draw(t);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void OverheadShadow::draw(std::size_t number) {
+  Tile& tile = tiles_[number];
+  const int left = static_cast<int>(number) * resolution_;
+  glViewport(left, 0, resolution_, resolution_);
+  glScissor(left, 0, resolution_, resolution_);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  const std::vector<glm::mat4>& matrices = tile.casters.map_from_mesh;
+  tile.commands.upload();
+  matrices_.write(number, matrices.data(), matrices.size() * sizeof(glm::mat4));
+  matrices_.bind(number, 0);
+  tile.commands.draw();
+  std::swap(tile.casters, tile.drawn);
 }
 
 bool OverheadShadow::reaches(const WorldBox& box) const {
@@ -123,7 +169,13 @@ bool OverheadShadow::reaches(const WorldBox& box) const {
 }
 
 glm::mat4 OverheadShadow::mappingFrom(const Coord3& eye) const {
-  return glm::mat4(kMapFromCorner * fromEye(corner_, TransformMatrix::translation(eye), {}));
+  return glm::mat4(kMapFromMiddle * fromEye(tiles_[0].map_middle, TransformMatrix::translation(eye), {}));
+}
+
+glm::vec3 OverheadShadow::toSecondTile() const {
+  if (tile_count_ < 2) return glm::vec3(1e6F);
+  const Coord3 step = tiles_[0].map_middle - tiles_[1].map_middle;
+  return glm::vec3(glm::dmat3(kMapFromMiddle) * step.glm());
 }
 
 }  // namespace coherency

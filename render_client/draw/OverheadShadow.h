@@ -1,48 +1,73 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
 
 #include "render_client/draw/DrawCommands.h"
+#include "render_client/draw/EyeView.h"
 #include "render_client/draw/GlObjects.h"
 #include "render_client/draw/SceneBuffers.h"
+#include "render_client/draw/SlottedBuffer.h"
 #include "render_client/draw/WorldBox.h"
 
 namespace coherency {
 
 /// Shadows of what moves, as under a wide lamp overhead, a little to one side (kShadowLean): they show how
-/// high above a table a hand is. A map of heights as seen along that light, 4 m wide on the floor and up to
+/// high above a table a hand is. A map of heights as seen along that light, 3.2 m wide on the floor and up to
 /// 4 m above it, that goes with the vehicle one drives, in steps of its texels, so that shadows neither crawl
-/// nor jump; they fade towards its border. Only what moves casts; what it casts on may move or not.
+/// nor jump; they fade towards its border. Where the scene's other vehicle stands beyond it, a second tile of
+/// the same texture goes with that. Both see the same things along the same light on the same lattice, so
+/// that it makes no difference from which of them a pixel has its shadow. A tile in which nothing has moved
+/// is not drawn anew. Only what moves casts; what it casts on may move or not.
 class OverheadShadow {
  public:
   /// Throws std::runtime_error where the driver has no such resolution. `moving_count`: of drawables.
   OverheadShadow(int resolution, std::size_t moving_count);
 
-  /// Draws the map for a vehicle that stands there; -z is ahead of it.
-  void render(const CompiledScene& scene, const SceneBuffers& buffers,
-              const TransformMatrix& t_world_vehicle);
+  /// Draws the map for the vehicles of a view.
+  void render(const CompiledScene& scene, const SceneBuffers& buffers, const EyeView& view);
 
   /// After render(): whether what never moves and is in the box may be in a shadow.
   bool reaches(const WorldBox& box) const;
-  /// After render(): takes points in the world's axes from `eye` to u, v and height in the map, each 0..1.
+  /// After render(): takes points in the world's axes from `eye` to the first tile: across it -1..1 twice,
+  /// and height 0..1.
   glm::mat4 mappingFrom(const Coord3& eye) const;
+  /// After render(): to be added to the same for the second tile; out of all tiles where there is none.
+  glm::vec3 toSecondTile() const;
   void bindTexture() const { glBindTextureUnit(0, depth_.name()); }
 
  private:
+  struct Casters {
+    std::vector<const Drawable*> drawables;
+    std::vector<glm::mat4> map_from_mesh;
+    bool operator==(const Casters&) const = default;
+  };
+  struct Tile {
+    explicit Tile(std::size_t moving_count);
+    void place(const Coord3& middle, double texel);
+    WorldBox region() const;
+    void add(const CompiledScene& scene, const Drawable& drawable);
+
+    Coord3 floor_middle;
+    Coord3 map_middle;  ///< where what mappingFrom() gives is 0
+    DrawCommands commands;
+    Casters casters;
+    Casters drawn;  ///< what is in the texture
+  };
+
+  void placeTiles(const EyeView& view);
   void chooseCasters(const CompiledScene& scene);
-  void addCaster(const CompiledScene& scene, std::size_t number, const WorldBox& box);
+  void draw(std::size_t number);
 
   int resolution_;
   Texture depth_;
   Framebuffer frame_;
   Program program_;
-  Buffer matrices_buffer_;
-  std::vector<glm::mat4> matrices_;
-  DrawCommands commands_;
-  Coord3 corner_;  ///< where u, v and height are 0
-  Coord3 floor_middle_;
+  SlottedBuffer matrices_;  ///< a slot a tile
+  std::array<Tile, 2> tiles_;
+  std::size_t tile_count_ = 1;  ///< in this frame
   std::vector<WorldBox> casters_;
 };
 

@@ -10,7 +10,7 @@
 #include "render_client/compile/CompiledScene.h"
 #include "render_client/compile/ToneCurve.h"
 #include "render_client/draw/FixedPass.h"
-#include "render_client/draw/LampChoice.h"
+#include "render_client/draw/LampSets.h"
 #include "render_client/draw/MovingPass.h"
 #include "render_client/draw/OverheadShadow.h"
 #include "render_client/draw/RenderTarget.h"
@@ -70,21 +70,19 @@ struct Renderer::Gl {
   int shadowResolution() const { return settings.shadows ? settings.shadow_resolution : 0; }
 
   void draw(std::span<const EyeView> views) {
-    const TransformMatrix& t_world_vehicle = views.front().t_world_vehicle;
     const Coord3 eye = views.front().t_world_eye.origin();
     const OverheadShadow* const map = shadow ? &*shadow : nullptr;
-    // About the hands of whoever sits on it.
-    const ChosenLamps chosen = lamps.at(t_world_vehicle.point({0.0, 1.1, -0.4}));
     uniforms.reserve(views.size());
     pyramids.clear();
     for (const EyeView& view : views)
       if (settings.clip) pyramids.add({view.t_world_eye, view.view, view.near_m});
-    moving.begin(compiled, eye, views.size(), pyramids);
+    lamps.update();
+    moving.begin(compiled, lamps, eye, views.size(), pyramids);
     fixed.begin(compiled, eye, views.size(), pyramids, map);
     if (map != nullptr) map->bindTexture();
     for (std::size_t slot = 0; slot < views.size(); ++slot) {
       const EyeView& view = views[slot];
-      uniforms.write(slot, view, ambient, chosen, map);
+      uniforms.write(slot, view, ambient, map);
       uniforms.bind(slot);
       glViewport(view.x, view.y, view.width, view.height);
       moving.draw(slot, view.t_world_eye.origin(), compiled, buffers);
@@ -103,7 +101,7 @@ struct Renderer::Gl {
   Ambient ambient;
   CompiledScene compiled;
   SceneBuffers buffers;
-  LampChoice lamps;
+  LampSets lamps;
   MovingPass moving;
   FixedPass fixed;
   ViewPyramids pyramids;
@@ -123,8 +121,7 @@ Renderer::~Renderer() = default;
 void Renderer::draw(std::span<const EyeView> views) {
   setDrawingState();
   gl_->compiled.update();
-  if (gl_->shadow && !views.empty())
-    gl_->shadow->render(gl_->compiled, gl_->buffers, views.front().t_world_vehicle);
+  if (gl_->shadow && !views.empty()) gl_->shadow->render(gl_->compiled, gl_->buffers, views.front());
   gl_->target.bind();
   const glm::vec3 sky(gl_->ambient.sky.glm());
   glClearColor(encoded(tone(sky.r)), encoded(tone(sky.g)), encoded(tone(sky.b)), 1.0F);

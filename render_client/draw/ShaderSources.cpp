@@ -5,22 +5,28 @@
 namespace coherency {
 namespace {
 
-// Positions are in the world's axes, m from the eye.
+// Positions are in the world's axes, m from the eye. In a tile of the shadow map: -1..1 across it twice, and
+// height 0..1.
 const char* const kView = R"(
 layout(std140, binding = 0) uniform View {
   mat4 clip_from_world;
-  mat4 shadow_from_world;  // to u, v and height in the shadow map
+  mat4 shadow_from_world;  // to the first tile of the shadow map
+  vec4 to_second_tile;     // from the first
   vec4 sky;
   vec4 ground;
-  vec4 lamp_position[4];  // w: reach, m
-  vec4 lamp_colour[4];    // irradiance at 1 m
 };
 
+// 0 in a tile's middle, 1 at its border.
+float offTile(vec3 at) { return max(abs(at.x), abs(at.y)); }
+vec3 inTexture(vec3 at, bool second) { return vec3(at.xy * vec2(0.25, 0.5) + vec2(second ? 0.75 : 0.25, 0.5), at.z); }
+)";
+
+const char* const kVertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 2) in uint object;
 
 layout(location = 0) out vec3 light;      // that the surface sends to the eye where nothing moves above it
-layout(location = 1) out vec4 shadow_at;  // u, v, height; share of the light that what moves above keeps away
+layout(location = 1) out vec4 shadow_at;  // in the map, or its first tile; share of light that what moves above keeps away
 
 vec3 inShadowMap(vec3 p) { return (shadow_from_world * vec4(p, 1.0)).xyz; }
 )";
@@ -42,9 +48,9 @@ void main() {
 }
 )";
 
-// Falloff: compile/Illumination.h has the same. Shadows fall on what faces up only; as they are soft, and
-// heights are those of a map's texels, they begin a little above the surface, and the more so the steeper it
-// is.
+// Falloff: compile/Illumination.h has the same. Shadows fall on what faces the light they are cast along
+// only, and fully on what is level. As they are soft, and heights are those of a map's texels, they begin a
+// little above the surface, and the more so the steeper it is to that light.
 const char* const kMovingVertex = R"(
 struct Object {
   mat4 world_from_mesh;
@@ -52,8 +58,18 @@ struct Object {
   vec4 normal_y;
   vec4 normal_z;
   vec4 colour_gloss;
+  vec4 place_root;  // for which its lamps were chosen, and the number of their set
+};
+struct Lamp {
+  vec4 position_reach;  // m, from that place
+  vec4 colour;          // irradiance at 1 m
+};
+struct LampSet {
+  vec4 others;  // irradiance from above of those not chosen
+  Lamp lamps[4];
 };
 layout(std430, binding = 0) readonly buffer Objects { Object objects[]; };
+layout(std430, binding = 1) readonly buffer LampSets { LampSet lamp_sets[]; };
 layout(location = 1) in vec3 normal;
 
 float falloff(float square, float reach) {
@@ -72,14 +88,18 @@ void main() {
   float gloss = 0.5 * objects[object].colour_gloss.a;
   float emission = objects[object].normal_x_emission.w;
 
-  vec3 irradiance = mix(ground.rgb, sky.rgb, 0.5 + 0.5 * n.y);
+  uint set = uint(objects[object].place_root.w);
+  vec3 from_place = p - objects[object].place_root.xyz;
+  vec3 irradiance = mix(ground.rgb, sky.rgb + lamp_sets[set].others.rgb, 0.5 + 0.5 * n.y);
   vec3 overhead = AMBIENT_SHADE * irradiance;
   vec3 highlights = vec3(0.0);
   for (int i = 0; i < LAMPS; ++i) {
-    vec3 l = lamp_position[i].xyz - p;
+    vec4 position_reach = lamp_sets[set].lamps[i].position_reach;
+    vec3 l = position_reach.xyz - from_place;
     float square = dot(l, l);
     l *= inversesqrt(square);
-    vec3 reaching = lamp_colour[i].rgb * (falloff(square, lamp_position[i].w) * max((dot(n, l) + 0.1) / 1.1, 0.0));
+    vec3 reaching = lamp_sets[set].lamps[i].colour.rgb *
+                    (falloff(square, position_reach.w) * max((dot(n, l) + 0.1) / 1.1, 0.0));
     float highlight = max(dot(n, normalize(l + to_eye)), 0.0);
     for (int squaring = 0; squaring < 5; ++squaring) highlight *= highlight;  // to the 32nd power
     irradiance += reaching;
@@ -89,9 +109,16 @@ void main() {
   light = mix(colour * irradiance + gloss * highlights, colour, emission);
   if (SHADOWS) {
     const vec3 brightness = vec3(0.2126, 0.7152, 0.0722);
-    float share = max(n.y, 0.0) * dot(overhead, brightness) / max(dot(irradiance, brightness), 1e-6);
-    float slope = sqrt(max(1.0 - n.y * n.y, 0.0)) / max(n.y, 0.25);
-    shadow_at = vec4(inShadowMap(p + vec3(0.0, 0.006 + 0.016 * slope, 0.0)), share * (1.0 - emission));
+    float facing = max(dot(n, TO_SHADOW_LIGHT), 0.0);  // 1 for what is level
+    float share = min(facing, 1.0) * dot(overhead, brightness) / max(dot(irradiance, brightness), 1e-6);
+    float rise = length(n.xz) / max(facing, 0.25);     // along the light, for each m across it
+    // All of a whole is looked up in one tile, and it is lit again before a triangle that begins in it ends beyond it.
+    vec3 at = inShadowMap(p + vec3(0.0, 0.002 + 2.0 * TEXEL * TILE_WIDTH * rise, 0.0));
+    vec3 middle = inShadowMap(objects[object].place_root.xyz);
+    bool second = offTile(middle + to_second_tile.xyz) < offTile(middle);
+    at = second ? at + to_second_tile.xyz : at;
+    float fade = clamp(3.75 - 5.0 * offTile(at), 0.0, 1.0);
+    shadow_at = vec4(inTexture(at, second), fade * share * (1.0 - emission));
   }
 }
 )";
@@ -116,14 +143,21 @@ vec3 encoded(vec3 c) {
   return max(0.662002687 * root + 0.684122060 * fourth - 0.323583601 * sqrt(fourth) - 0.0225411470 * c, 0.0);
 }
 
-// Softened over four texels; fading towards the map's border.
+// Two lookups, each of which takes in two by two texels, half a texel off to both sides: they meet without a gap, and
+// edges are nearly as smooth as from four. Of what never moves each pixel looks in the tile in whose border it is less.
 float shadow() {
-  float lit = 0.0;
-  for (int i = 0; i < 4; ++i)
-    lit += texture(shadow_map, vec3(shadow_at.xy + TEXEL * vec2(2 * (i & 1) - 1, (i & 2) - 1), shadow_at.z));
-  vec2 from_middle = abs(2.0 * shadow_at.xy - 1.0);
-  float fade = clamp(5.0 - 5.0 * max(from_middle.x, from_middle.y), 0.0, 1.0);
-  return shadow_at.w * fade * (1.0 - 0.25 * lit);
+  vec3 at = shadow_at.xyz;
+  float share = shadow_at.w;
+  if (FIXED) {
+    vec3 in_second = at + to_second_tile.xyz;
+    float off_first = offTile(at);
+    float off_second = offTile(in_second);
+    share *= clamp(5.0 - 5.0 * min(off_first, off_second), 0.0, 1.0);
+    at = inTexture(off_first <= off_second ? at : in_second, off_first > off_second);
+  }
+  vec3 half_texel = vec3(0.25 * TEXEL, 0.5 * TEXEL, 0.0);
+  float lit = texture(shadow_map, at - half_texel) + texture(shadow_map, at + half_texel);
+  return share * (1.0 - 0.5 * lit);
 }
 
 void main() { picture = vec4(encoded(tone(SHADOWS ? light * (1.0 - shadow()) : light)), 1.0); }
@@ -131,24 +165,27 @@ void main() { picture = vec4(encoded(tone(SHADOWS ? light * (1.0 - shadow()) : l
 
 std::string defined(const ShaderVariant& variant) {
   const bool shadows = variant.shadow_resolution > 0;
-  return "#version 450 core\n#define LAMPS " + std::to_string(variant.lamps) + "\n#define SHADOWS " +
+  return "#version 450 core\n#define FIXED " + std::string(variant.moves ? "false" : "true") +
+         "\n#define LAMPS " + std::to_string(variant.lamps) + "\n#define SHADOWS " +
          (shadows ? "true" : "false") + "\n#define TEXEL " +
          std::to_string(shadows ? 1.0 / variant.shadow_resolution : 0.0) + "\n#define BRIGHTEST " +
-         std::to_string(LitVertex::kBrightest) + "\n#define AMBIENT_SHADE " + std::to_string(kAmbientShade);
+         std::to_string(LitVertex::kBrightest) + "\n#define AMBIENT_SHADE " + std::to_string(kAmbientShade) +
+         "\n#define TILE_WIDTH " + std::to_string(kShadowTileWidth) + "\n#define TO_SHADOW_LIGHT vec3(" +
+         std::to_string(-kShadowLean.x) + ", 1.0, " + std::to_string(-kShadowLean.y) + ")\n";
 }
 
 }  // namespace
 
 std::string fixedVertexShader(const ShaderVariant& variant) {
-  return defined(variant) + kView + kFixedVertex;
+  return defined(variant) + kView + kVertex + kFixedVertex;
 }
 
 std::string movingVertexShader(const ShaderVariant& variant) {
-  return defined(variant) + kView + kMovingVertex;
+  return defined(variant) + kView + kVertex + kMovingVertex;
 }
 
 std::string fragmentShader(const ShaderVariant& variant) {
-  return defined(variant) + kFragment;
+  return defined(variant) + kView + kFragment;
 }
 
 const char* const kShadowVertexShader = R"(#version 450 core

@@ -8,10 +8,14 @@ namespace coherency {
 // GLSL 4.50. What they read is laid out as ViewUniforms.cpp, FixedPass.h, MovingPass.h, OverheadShadow.cpp
 // and TextOverlay.cpp write it.
 
+/// m, of a tile of the shadow map, on the floor.
+inline constexpr double kShadowTileWidth = 3.2;
+
 /// What a shader is made for, so that it has no loops or branches.
 struct ShaderVariant {
-  std::size_t lamps = 0;      ///< of the chosen ones
-  int shadow_resolution = 0;  ///< texels a side of the map; 0: no shadows
+  bool moves = false;
+  std::size_t lamps = 0;      ///< of the chosen ones, for what moves
+  int shadow_resolution = 0;  ///< texels a side of a tile of the map; 0: no shadows
 };
 
 std::string fixedVertexShader(const ShaderVariant& variant);

@@ -11,10 +11,9 @@ namespace {
 struct Block {
   glm::mat4 clip_from_world;
   glm::mat4 shadow_from_world{0.0F};
+  glm::vec4 to_second_tile{0.0F};
   glm::vec4 sky;
   glm::vec4 ground;
-  std::array<glm::vec4, kChosenLamps> lamp_position{};
-  std::array<glm::vec4, kChosenLamps> lamp_colour{};
 };
 
 glm::vec3 vec3(const Coord3& v) {
@@ -26,22 +25,17 @@ glm::vec3 vec3(const Coord3& v) {
 ViewUniforms::ViewUniforms() : buffer_(GL_UNIFORM_BUFFER, sizeof(Block)) {}
 
 void ViewUniforms::write(std::size_t slot, const EyeView& view, const Ambient& ambient,
-                         const ChosenLamps& chosen, const OverheadShadow* shadow) {
-  // What lamps that were not chosen would bring comes from above, from everywhere: half of it to a surface
-  // that faces none of them in particular.
-  constexpr float kOfOthers = 0.5F;
+                         const OverheadShadow* shadow) {
   const Coord3 eye = view.t_world_eye.origin();
   Block block;
   block.clip_from_world =
       glm::mat4(projection(view.view, view.near_m).glm() * view.t_world_eye.linear().rigidInverse().glm());
-  block.sky = glm::vec4(vec3(ambient.sky) + kOfOthers * chosen.others, 0.0F);
+  block.sky = glm::vec4(vec3(ambient.sky), 0.0F);
   block.ground = glm::vec4(vec3(ambient.ground), 0.0F);
-  for (std::size_t i = 0; i < kChosenLamps; ++i) {
-    const ChosenLamp& lamp = chosen.lamps[i];
-    block.lamp_position[i] = glm::vec4(vec3(lamp.position - eye), lamp.reach);
-    block.lamp_colour[i] = glm::vec4(lamp.colour, 0.0F);
+  if (shadow != nullptr) {
+    block.shadow_from_world = shadow->mappingFrom(eye);
+    block.to_second_tile = glm::vec4(shadow->toSecondTile(), 0.0F);
   }
-  if (shadow != nullptr) block.shadow_from_world = shadow->mappingFrom(eye);
   buffer_.write(slot, &block, sizeof(block));
 }
 

@@ -72,6 +72,31 @@ TEST(EyeViews, EyesAreTheRigsEyeDistanceApartAndNeverInOnePlace) {
     }
 }
 
+TEST(EyeViews, SayWhereTheOtherVehicleStandsWhereThereIsOne) {
+  SceneDescription description;
+  description.name = "test";
+  description.start = basePose(1.0, 2.0, 0.5);
+  std::vector<EyeView> views;
+  const Scene alone(description, {});
+  eyeViews(alone, Mode::Operator, {}, EyeChoice::Both, 64, 48, views);
+  for (const EyeView& view : views) EXPECT_FALSE(view.t_world_other_vehicle.has_value());
+
+  description.robot = RobotPlacement{basePose(-2.0, -1.0, 0.0), basePose(0.0, -2.0, 0.0)};
+  Scene scene(description, {});
+  pose(scene, {{}, {}, description.start});
+  for (const Mode mode : {Mode::Operator, Mode::Robot}) {
+    const VRObject& driven =
+        mode == Mode::Robot ? static_cast<const VRObject&>(*scene.robot()) : scene.human();
+    const VRObject& other =
+        mode == Mode::Robot ? static_cast<const VRObject&>(scene.human()) : *scene.robot();
+    eyeViews(scene, mode, {}, EyeChoice::Both, 64, 48, views);
+    for (const EyeView& view : views) {
+      EXPECT_TRUE(view.t_world_vehicle == driven.globalTransform());
+      EXPECT_TRUE(view.t_world_other_vehicle == other.globalTransform());
+    }
+  }
+}
+
 TEST(EyeViews, TemplesSeeWiderThanTheNose) {
   SeenScene scene;
   std::vector<EyeView> views;

@@ -146,13 +146,20 @@ std::vector<EyeView> makeViews(const Options& o, const Scene& scene, int width, 
   const FieldOfView view{tan_h, tan_h, tan_v, tan_v};
   const Mode mode = o.robot_mode ? Mode::Robot : Mode::Operator;
   const auto through = [&](Eye eye, int x) {
-    return EyeView{
-        scene.eye(eye, mode).globalTransform(), view, 0.01, x, 0, width, height, vehicle(scene, mode)};
+    return EyeView{scene.eye(eye, mode).globalTransform(),
+                   view,
+                   0.01,
+                   x,
+                   0,
+                   width,
+                   height,
+                   vehicle(scene, mode),
+                   otherVehicle(scene, mode)};
   };
   if (!o.camera.empty()) {
     const TransformMatrix at = TransformMatrix::translation({o.camera[0], o.camera[1], o.camera[2]}) *
                                rotation(YawPitchRoll{o.camera[3] * kDegree, o.camera[4] * kDegree, 0.0});
-    return {EyeView{at, view, 0.01, 0, 0, width, height, vehicle(scene, mode)}};
+    return {EyeView{at, view, 0.01, 0, 0, width, height, vehicle(scene, mode), otherVehicle(scene, mode)}};
   }
   if (o.eye == "both") return {through(Eye::Left, 0), through(Eye::Right, width)};
   return {through(o.eye == "left" ? Eye::Left : (o.eye == "right" ? Eye::Right : Eye::Mono), 0)};
