@@ -97,7 +97,7 @@ void OverheadShadow::Tile::add(const CompiledScene& scene, const Drawable& drawa
   casters.map_from_mesh.emplace_back(kMapFromMiddle * fromEye(map_middle, t_world_object, drawable.origin));
 }
 
-void OverheadShadow::placeTiles(const EyeView& view) {
+void OverheadShadow::placeTiles(const EyeView& view, const ViewPyramids& views) {
   const double texel = 2.0 * kHalf / resolution_;
   const Coord3 middle = view.t_world_vehicle.point({0.0, 0.0, -kAhead});
   tiles_[0].place(middle, texel);
@@ -108,6 +108,10 @@ void OverheadShadow::placeTiles(const EyeView& view) {
   if (std::max({away.x, away.y, away.z}) + kOther < kFull * kHalf) return;
   // Most of its shadow is to the side to which the light leans.
   tiles_[1].place(other + 0.5 * Coord3{kShadowLean.x, 0.0, kShadowLean.y}, texel);
+  const Coord3 half{kHalf, 0.5 * kHeight, kHalf};
+  const double leaning = kHeight * norm(Coord3{kShadowLean.x, 0.0, kShadowLean.y});
+  const Sphere about{tiles_[1].map_middle + Coord3{0.0, half.y, 0.0}, norm(half) + leaning};
+  if (views.sees(about) == InView::None) return;
   tile_count_ = 2;
 }
 
@@ -134,8 +138,9 @@ void OverheadShadow::chooseCasters(const CompiledScene& scene) {
   }
 }
 
-void OverheadShadow::render(const CompiledScene& scene, const SceneBuffers& buffers, const EyeView& view) {
-  placeTiles(view);
+void OverheadShadow::render(const CompiledScene& scene, const SceneBuffers& buffers, const EyeView& view,
+                            const ViewPyramids& views) {
+  placeTiles(view, views);
   chooseCasters(scene);
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glUseProgram(program_.name());

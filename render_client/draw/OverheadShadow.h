@@ -5,6 +5,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "render_client/cull/ViewPyramid.h"
 #include "render_client/draw/DrawCommands.h"
 #include "render_client/draw/EyeView.h"
 #include "render_client/draw/GlObjects.h"
@@ -17,17 +18,18 @@ namespace coherency {
 /// Shadows of what moves, as under a wide lamp overhead, a little to one side (kShadowLean): they show how
 /// high above a table a hand is. A map of heights as seen along that light, 3.2 m wide on the floor and up to
 /// 4 m above it, that goes with the vehicle one drives, in steps of its texels, so that shadows neither crawl
-/// nor jump; they fade towards its border. Where the scene's other vehicle stands beyond it, a second tile of
-/// the same texture goes with that. Both see the same things along the same light on the same lattice, so
-/// that it makes no difference from which of them a pixel has its shadow. A tile in which nothing has moved
-/// is not drawn anew. Only what moves casts; what it casts on may move or not.
+/// nor jump; they fade towards its border. Where the scene's other vehicle is in view and stands beyond it, a
+/// second tile of the same texture goes with that. Both see the same things along the same light on the same
+/// lattice, so that it makes no difference from which of them a pixel has its shadow. A tile in which nothing
+/// has moved is not drawn anew. Only what moves casts; what it casts on may move or not.
 class OverheadShadow {
  public:
   /// Throws std::runtime_error where the driver has no such resolution. `moving_count`: of drawables.
   OverheadShadow(int resolution, std::size_t moving_count);
 
   /// Draws the map for the vehicles of a view.
-  void render(const CompiledScene& scene, const SceneBuffers& buffers, const EyeView& view);
+  void render(const CompiledScene& scene, const SceneBuffers& buffers, const EyeView& view,
+              const ViewPyramids& views);
 
   /// After render(): whether what never moves and is in the box may be in a shadow.
   bool reaches(const WorldBox& box) const;
@@ -57,7 +59,7 @@ class OverheadShadow {
     Casters drawn;  ///< what is in the texture
   };
 
-  void placeTiles(const EyeView& view);
+  void placeTiles(const EyeView& view, const ViewPyramids& views);
   void chooseCasters(const CompiledScene& scene);
   void draw(std::size_t number);
 

@@ -69,13 +69,16 @@ struct Renderer::Gl {
 
   int shadowResolution() const { return settings.shadows ? settings.shadow_resolution : 0; }
 
+  void clipTo(std::span<const EyeView> views) {
+    pyramids.clear();
+    for (const EyeView& view : views)
+      if (settings.clip) pyramids.add({view.t_world_eye, view.view, view.near_m});
+  }
+
   void draw(std::span<const EyeView> views) {
     const Coord3 eye = views.front().t_world_eye.origin();
     const OverheadShadow* const map = shadow ? &*shadow : nullptr;
     uniforms.reserve(views.size());
-    pyramids.clear();
-    for (const EyeView& view : views)
-      if (settings.clip) pyramids.add({view.t_world_eye, view.view, view.near_m});
     lamps.update();
     moving.begin(compiled, lamps, eye, views.size(), pyramids);
     fixed.begin(compiled, eye, views.size(), pyramids, map);
@@ -121,7 +124,9 @@ Renderer::~Renderer() = default;
 void Renderer::draw(std::span<const EyeView> views) {
   setDrawingState();
   gl_->compiled.update();
-  if (gl_->shadow && !views.empty()) gl_->shadow->render(gl_->compiled, gl_->buffers, views.front());
+  gl_->clipTo(views);
+  if (gl_->shadow && !views.empty())
+    gl_->shadow->render(gl_->compiled, gl_->buffers, views.front(), gl_->pyramids);
   gl_->target.bind();
   const glm::vec3 sky(gl_->ambient.sky.glm());
   glClearColor(encoded(tone(sky.r)), encoded(tone(sky.g)), encoded(tone(sky.b)), 1.0F);
