@@ -154,6 +154,7 @@ int main(int argc, char** argv) {
   bake(mesh, illumination, {});
   const FixedSurface surface(mesh);
   const std::vector<SurfaceLight> truth = lightOf(surface, illumination, kTruth);
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   std::printf("%zu objects, %zu triangles before, %zu lamps\n", shapes.objects.size(),
               shapes.indices.size() / 3, illumination.lamps.size());
   Illumination relative = illumination;
