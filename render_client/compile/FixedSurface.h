@@ -12,7 +12,8 @@ namespace coherency {
 /// coordinates near enough to their origin for float. There is one origin for all, in the middle of what
 /// keeps light away, so rays are as exact as a float that far from it: 4 um in a building, 1 mm 10 km away,
 /// which is a fifth of how far off a surface light is taken. Things further apart than that are not to be in
-/// one scene. What is drawn does not depend on it: vertices are relative to their own object.
+/// one scene. Light and how triangles are cut for it depend on it in the last bits; where a thing is drawn
+/// does not, as vertices are relative to their own object.
 class FixedSurface {
  public:
   /// `mesh` must outlive this.
