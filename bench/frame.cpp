@@ -92,6 +92,10 @@ int main(int argc, char** argv) {
   app.add_option("--rays", settings.bake.rays, "Rays a vertex for the light of what never moves")
       ->capture_default_str();
   app.add_flag("--no-clipping{false}", settings.clip, "Draw what is out of view, too");
+  app.add_option("--tolerance", settings.bake.tolerance, "Of that light between vertices (BakeSettings)")
+      ->capture_default_str();
+  app.add_option("--finest", settings.bake.finest, "Edges as short are not cut for that light, m")
+      ->capture_default_str();
   app.add_flag("--no-shadows{false}", settings.shadows, "Draw without shadows");
   CLI11_PARSE(app, argc, argv);
 

@@ -13,7 +13,11 @@ namespace coherency {
 namespace {
 
 /// Longer edges are always looked at; others only where the light differs between their ends.
-constexpr double kLookLonger = 0.4;  // m
+constexpr double kLookLonger = 0.25;  // m
+/// Shadows of rails, shelves and sills are bands. Triangles may grow this long along them, while they are
+/// coarse; afterwards none grows longer, so that cutting comes to an end.
+constexpr double kStretch = 3.0;
+constexpr int kStretchedRounds = 6;
 
 Illumination relativeTo(const Coord3& origin, Illumination illumination) {
   for (Light& lamp : illumination.lamps) lamp.position -= origin;
@@ -32,8 +36,9 @@ class Baking {
     light_.resize(surface_.mesh().vertices.size());
     known_.resize(light_.size(), false);
     lightUnknown();
-    while (markUneven()) {
-      surface_.cut([this](std::uint32_t side) { addMiddle(side); });
+    for (int round = 0; markUneven(); ++round) {
+      surface_.cut([this](std::uint32_t side) { addMiddle(side); },
+                   round < kStretchedRounds ? kStretch : 0.0);
       lightUnknown();
     }
     surface_.writeIndices();
@@ -105,9 +110,17 @@ class Baking {
   bool isUneven(const Subdivision::Edge& edge) const {
     const std::vector<Side>& sides = surface_.subdivision().sides();
     for (std::uint32_t s = edge.side; s != Subdivision::kNone; s = sides[s].next) {
-      if (!middles_[s].known || middles_[s].light.buried) continue;
-      if (light_[sides[s].a].buried && light_[sides[s].b].buried) return true;
-      const double difference = shownDifference(sides[s], between(sides[s]), middles_[s].light.light);
+      if (!middles_[s].known) continue;
+      const SurfaceLight& a = light_[sides[s].a];
+      const SurfaceLight& b = light_[sides[s].b];
+      const SurfaceLight& middle = middles_[s].light;
+      if (middle.buried ? a.buried || b.buried : a.buried && b.buried) {
+        if (middle.buried) continue;
+        return true;
+      }
+      // Across a shelf's end or a sill light may change at once: it does where that stands, not halfway.
+      const double difference = middle.buried ? shownDifference(sides[s], a.light, b.light)
+                                              : shownDifference(sides[s], between(sides[s]), middle.light);
       if (difference * std::sqrt(edge.square) > settings_.tolerance) return true;
     }
     return false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -19,8 +20,13 @@ void parallelFor(std::size_t count, const Work& work) {
       for (std::size_t i = begin, end = std::min(begin + kChunk, count); i < end; ++i) work(i);
   };
   const std::size_t cores = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
-  std::vector<std::thread> helpers(std::min(cores, count / (2 * kChunk) + 1) - 1);
-  for (std::thread& helper : helpers) helper = std::thread(run);
+  std::vector<std::thread> helpers;
+  helpers.reserve(cores);
+  try {
+    for (std::size_t n = std::min(cores, count / (2 * kChunk) + 1) - 1; n > 0; --n) helpers.emplace_back(run);
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those there are, this one if no other, do all of it.
+  }
   run();
   for (std::thread& helper : helpers) helper.join();
 }

@@ -97,12 +97,18 @@ std::size_t Subdivision::longest(const Triangle& triangle) const {
   return most;
 }
 
-void Subdivision::markLongest() {
+bool Subdivision::asksForLongest(const Triangle& triangle, double stretch) const {
+  const double square = edges_[triangle.edge[longest(triangle)]].square;
+  return std::any_of(triangle.edge.begin(), triangle.edge.end(), [&](std::uint32_t e) {
+    return edges_[e].marked && square >= stretch * stretch * edges_[e].square;
+  });
+}
+
+void Subdivision::markLongest(double stretch) {
   for (bool changed = true; changed;) {
     changed = false;
     for (const Triangle& t : triangles_) {
-      const auto isMarked = [&](std::uint32_t edge) { return edges_[edge].marked; };
-      if (std::none_of(t.edge.begin(), t.edge.end(), isMarked)) continue;
+      if (!asksForLongest(t, stretch)) continue;
       Edge& most = edges_[t.edge[longest(t)]];
       changed = changed || !most.marked;
       most.marked = true;
@@ -145,8 +151,8 @@ void Subdivision::bisect(const Triangle& t, std::size_t at, std::vector<Triangle
   parts.push_back({{m, b, c}, {half_b, t.edge[next], inner}});
 }
 
-void Subdivision::cut(const Middle& middle) {
-  markLongest();
+void Subdivision::cut(const Middle& middle, double stretch) {
+  markLongest(stretch);
   for (std::uint32_t e = 0, count = static_cast<std::uint32_t>(edges_.size()); e < count; ++e)
     if (edges_[e].marked && !edges_[e].isCut()) cutEdge(e, middle);
   std::vector<Triangle> waiting = std::move(triangles_);

@@ -12,7 +12,8 @@ namespace coherency {
 /// Triangles that are cut by bisecting marked edges, so that no gap opens: vertices in one place count as one
 /// point, whatever their normals, and an edge between two points is cut in all triangles that have it or in
 /// none. A triangle that is cut is cut at its longest edge first, which keeps triangles from growing thin
-/// (Rivara 1984); edges that must be cut for that are marked too.
+/// (Rivara 1984); edges that must be cut for that are marked too. How thin they may grow is the caller's to
+/// say.
 class Subdivision {
  public:
   static constexpr std::uint32_t kNone = UINT32_MAX;
@@ -44,7 +45,9 @@ class Subdivision {
   void mark(std::size_t edge) { edges_[edge].marked = true; }
   /// Cuts what is marked. `middle(side)` makes the vertex halfway along a side and returns its number.
   using Middle = std::function<std::uint32_t(std::uint32_t side)>;
-  void cut(const Middle& middle);
+  /// A triangle's longest edge need not be cut where it is less than `stretch` times as long as one that is:
+  /// what changes in one direction only is then cut across that only.
+  void cut(const Middle& middle, double stretch = 0.0);
   /// Three vertices a triangle, wound as they were.
   std::vector<std::uint32_t> indices() const;
 
@@ -58,7 +61,8 @@ class Subdivision {
   void addSide(std::uint32_t edge, std::uint32_t a, std::uint32_t b, std::uint32_t opposite);
   std::uint32_t& sideOf(std::uint32_t edge, std::uint32_t a, std::uint32_t b);
   std::size_t longest(const Triangle& triangle) const;
-  void markLongest();
+  bool asksForLongest(const Triangle& triangle, double stretch) const;
+  void markLongest(double stretch);
   void cutEdge(std::uint32_t edge, const Middle& middle);
   void bisect(const Triangle& triangle, std::size_t at, std::vector<Triangle>& parts);
 

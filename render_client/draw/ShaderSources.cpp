@@ -135,12 +135,14 @@ vec3 tone(vec3 c) {
   return min(c, 0.5) + 0.5 * over / (0.5 + over);
 }
 
-// As sRGB, to 0.1 % (Taylor, sRGB approximations for HLSL, 2013). Done here it is done once a pixel; left to the target,
-// a software renderer does it for every sample, which costs an eighth of the frame.
+// As sRGB, to 0.1 % of white: Taylor's, sRGB approximations for HLSL, 2013, which falls below sRGB's straight part in the
+// dark. compile/ToneCurve.h has the same. Done here it is done once a pixel; left to the target, a software renderer does
+// it for every sample, which costs an eighth of the frame.
 vec3 encoded(vec3 c) {
   vec3 root = sqrt(c);
   vec3 fourth = sqrt(root);
-  return max(0.662002687 * root + 0.684122060 * fourth - 0.323583601 * sqrt(fourth) - 0.0225411470 * c, 0.0);
+  vec3 curve = 0.662002687 * root + 0.684122060 * fourth - 0.323583601 * sqrt(fourth) - 0.0225411470 * c;
+  return max(curve, min(12.92 * c, 0.04045));
 }
 
 // Two lookups, each of which takes in two by two texels, half a texel off to both sides: they meet without a gap, and

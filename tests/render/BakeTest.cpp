@@ -1,5 +1,6 @@
 // Baked light against closed forms, and meshes that are cut for it. Needs no OpenGL.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -9,6 +10,7 @@
 
 #include "common/scene/Primitives.h"
 #include "render_client/compile/Bake.h"
+#include "render_client/compile/FixedSurface.h"
 #include "render_client/compile/ToneCurve.h"
 
 namespace coherency {
@@ -103,6 +105,75 @@ TEST(Bake, LightIsRightBetweenVerticesToo) {
   EXPECT_LT(worst, 0.03);
 }
 
+/// How light on a wall of 2.4 m by 1.6 m, as it is drawn, differs from what many rays say, all over it:
+/// shares of a display's range.
+struct Difference {
+  double mean = 0.0;
+  double p99 = 0.0;
+};
+Difference fromTruth(const VRObject& fitting) {
+  Rectangle wall(2.4, 1.6);
+  paint(wall, 0.8);
+  Baked baked;
+  baked.add(wall);
+  baked.add(fitting);
+  Illumination lights{
+      {{{-0.7, 1.6, 1.4}, {1.0, 1.0, 1.0}, 2.0, 8.0}, {{0.6, 1.5, 1.2}, {1.0, 1.0, 1.0}, 2.0, 8.0}},
+      {{0.3, 0.3, 0.3}, {0.2, 0.2, 0.2}}};
+  baked.bake = bake(baked.mesh, lights, {});
+  for (Light& lamp : lights.lamps) lamp.position -= baked.bake.origin;
+  const FixedSurface surface(baked.mesh);
+  const LightBaker truth(surface.occluders(), lights, 512);
+  const auto shown = [](double light) { return encoded(tone(0.8F * static_cast<float>(light))); };
+  std::vector<std::pair<double, double>> differences;  // and their areas
+  double area = 0.0;
+  for (std::size_t i = 0; i < baked.mesh.indices.size(); i += 3) {
+    const std::uint32_t* c = &baked.mesh.indices[i];
+    if (baked.mesh.vertices[c[0]].object != 0) continue;
+    const SurfacePoint corner[3] = {surface.at(c[0]), surface.at(c[1]), surface.at(c[2])};
+    const float part = glm::length(
+        glm::cross(corner[1].position - corner[0].position, corner[2].position - corner[0].position));
+    for (const std::array<float, 3>& s :
+         {std::array{0.6F, 0.2F, 0.2F}, {0.2F, 0.6F, 0.2F}, {0.2F, 0.2F, 0.6F}}) {
+      SurfacePoint at{glm::vec3(0.0F), corner[0].normal};
+      double drawn = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        at.position += s[k] * corner[k].position;
+        drawn += s[k] * baked.light(c[k]);
+      }
+      const SurfaceLight light = truth.light(at);
+      if (light.buried) continue;
+      differences.emplace_back(std::abs(shown(drawn) - shown(light.light.g)), part);
+      area += part;
+    }
+  }
+  std::sort(differences.begin(), differences.end());
+  Difference result;
+  double below = 0.0;
+  for (const auto& [difference, part] : differences) {
+    result.mean += difference * part / area;
+    if (below < 0.99 * area) result.p99 = difference;
+    below += part;
+  }
+  return result;
+}
+
+TEST(Bake, TheShadowOfARailBeforeAWallIsRightAllOverTheWall) {
+  Box rail({2.0, 0.05, 0.04});
+  rail.setPosition(0.0, 0.1, 0.07);
+  const Difference off = fromTruth(rail);
+  EXPECT_LT(off.mean, 0.0065);
+  EXPECT_LT(off.p99, 0.1);
+}
+
+TEST(Bake, TheShadowOfAShelfIsRightAllOverTheWall) {
+  Box shelf({2.0, 0.03, 0.25});
+  shelf.setPosition(0.0, 0.2, 0.126);
+  const Difference off = fromTruth(shelf);
+  EXPECT_LT(off.mean, 0.025);
+  EXPECT_LT(off.p99, 0.27);  // beneath it, where the wall behind it is taken to be as above and beneath
+}
+
 TEST(Bake, LampsFadeToNothingAtTheirReach) {
   Rectangle floor(12.0, 2.0);
   layDown(floor);
@@ -170,11 +241,11 @@ TEST(Bake, ABoxOverAPlaneCastsItsUmbraWhereGeometryPutsIt) {
   int dark = 0;
   baked.forEach(0, kUp, [&](const Coord3& at, double light) {
     const double aside = std::max(std::abs(at.x), std::abs(at.z));
+    const double expected = fromLamp(lamp, 4.0, at, kUp);
     if (aside < 0.28) {
       EXPECT_EQ(light, 0.0) << at.x << ", " << at.z;
       ++dark;
     }
-    const double expected = fromLamp(lamp, 4.0, at, kUp);
     if (aside > 0.64) {
       EXPECT_NEAR(light, expected, kOff * expected) << at.x << ", " << at.z;
     }
@@ -397,6 +468,13 @@ TEST(Bake, CuttingOpensNoGapAcrossCreasesEither) {
     baked.bakeWith(lampOnly(lamp, 1.0), 16);
     EXPECT_GT(baked.mesh.indices.size(), before);
     expectClosed(baked);
+  }
+}
+
+TEST(ToneCurve, TheShadersEncodeAsSrgbToATenthOfAPercentInTheDarkToo) {
+  for (int i = 0; i <= 100000; ++i) {
+    const float linear = static_cast<float>(i) * 1e-5F;
+    ASSERT_NEAR(encodedByShaders(linear), encoded(linear), 0.00105F) << linear;
   }
 }
 

@@ -82,6 +82,10 @@ void addOptions(CLI::App& app, Options& o) {
       ->capture_default_str();
   app.add_option("--rays", o.renderer.bake.rays, "Rays a vertex for the light of what never moves")
       ->capture_default_str();
+  app.add_option("--tolerance", o.renderer.bake.tolerance, "Of that light between vertices (BakeSettings)")
+      ->capture_default_str();
+  app.add_option("--finest", o.renderer.bake.finest, "Edges as short are not cut for that light, m")
+      ->capture_default_str();
   app.add_flag("--no-shadows", o.no_shadows, "Draw without shadows");
 }
 
