@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render_client/compile/MeshBuilder.h"
@@ -19,6 +20,16 @@ double longestEdge(const FaceSet& faces, double size) {
   constexpr double kHall = 60.0;
   if (faces.material.emission >= kShines || size > kHall) return std::numeric_limits<double>::infinity();
   return std::max(kLongest, size / 32.0);
+}
+
+/// By its box in its own axes.
+bool isRod(const Mesh& mesh, const glm::dmat3& linear) {
+  glm::dvec3 half(0.0);
+  for (const MeshVertex& v : mesh.vertices)
+    half = glm::max(half, glm::abs(glm::dvec3(v.position[0], v.position[1], v.position[2])));
+  int thin = 0;
+  for (int axis = 0; axis < 3; ++axis) thin += 2.0 * half[axis] * glm::length(linear[axis]) <= kRod ? 1 : 0;
+  return thin >= 2;
 }
 
 }  // namespace
@@ -52,7 +63,8 @@ void FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_objec
     for (const std::size_t c : {0U, mirrored ? 2U : 1U, mirrored ? 1U : 2U})
       indices.push_back(first + mesh.indices[i + c]);
   }
-  objects.push_back({object.faces(), t_world_object.point(mesh.origin), longestEdge(*object.faces(), size)});
+  objects.push_back({object.faces(), t_world_object.point(mesh.origin), longestEdge(*object.faces(), size),
+                     isRod(mesh, linear)});
 }
 
 }  // namespace coherency

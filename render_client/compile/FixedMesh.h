@@ -15,6 +15,9 @@ struct Mesh;
 /// Things that shine by themselves, by half or more (Material::emission), keep no light away: a lamp may
 /// stand inside its own fitting.
 inline constexpr double kShines = 0.5;
+/// Nor do rods and rails, no thicker than this both ways across: lamps are wide, and what they leave of such
+/// a shadow is finer than the mesh that would have to show it.
+inline constexpr double kRod = 0.07;  // m
 
 /// An object that never moves and shows faces.
 struct FixedObject {
@@ -22,6 +25,7 @@ struct FixedObject {
   Coord3 origin;        ///< of its vertices, m, in the world
   double longest_edge;  ///< m; its edges are cut to it, so that light can be computed at the vertices;
                         ///< infinite: never
+  bool rod;
 };
 
 struct FixedVertex {

@@ -106,8 +106,9 @@ SurfacePoint FixedSurface::halfway(const Subdivision::Side& side) const {
 std::vector<Occluder> FixedSurface::occluders() const {
   std::vector<Occluder> all;
   for (std::size_t i = 0; i + 2 < mesh_.indices.size(); i += 3) {
-    const Material& material = mesh_.objectOf(mesh_.indices[i]).faces->material;
-    if (material.emission >= kShines) continue;
+    const FixedObject& object = mesh_.objectOf(mesh_.indices[i]);
+    const Material& material = object.faces->material;
+    if (material.emission >= kShines || object.rod) continue;
     Occluder occluder{{}, glm::vec3(material.colour.glm())};
     for (std::size_t c = 0; c < 3; ++c)
       occluder.corners[c] = glm::vec3(fromOrigin(mesh_.vertices[mesh_.indices[i + c]]));

@@ -158,8 +158,25 @@ Difference fromTruth(const VRObject& fitting) {
   return result;
 }
 
-TEST(Bake, TheShadowOfARailBeforeAWallIsRightAllOverTheWall) {
-  Box rail({2.0, 0.05, 0.04});
+TEST(Bake, RodsKeepNoLightAwayWhateverHoldsThem) {
+  Rectangle wall(2.0, 2.0);
+  std::vector<double> bare;
+  std::vector<double> railed;
+  for (std::vector<double>* light : {&bare, &railed}) {
+    Box rail({2.0, 0.05, 0.04});
+    rail.setTransform(TransformMatrix::translation({0.0, 0.1, 0.07}) *
+                      TransformMatrix::scaling({1.0, 1.2, 1.0}));
+    Baked baked;
+    baked.add(wall);
+    if (light == &railed) baked.add(rail);
+    baked.bakeWith(lampOnly({0.3, 0.9, 1.0}, 10.0, 4.0));
+    baked.forEach(0, Coord3{0.0, 0.0, 1.0}, [&](const Coord3&, double at) { light->push_back(at); });
+  }
+  EXPECT_EQ(bare, railed);
+}
+
+TEST(Bake, TheShadowOfABoardBeforeAWallIsRightAllOverTheWall) {
+  Box rail({2.0, 0.08, 0.04});
   rail.setPosition(0.0, 0.1, 0.07);
   const Difference off = fromTruth(rail);
   EXPECT_LT(off.mean, 0.0065);
