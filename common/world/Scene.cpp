@@ -7,6 +7,7 @@
 
 #include "common/body/Grip.h"
 #include "common/math/FixedPoint.h"
+#include "common/math/Trigonometry.h"
 #include "common/world/Catalogue.h"
 
 namespace coherency {
@@ -27,6 +28,23 @@ VehicleModel vehicle(const std::vector<FootprintDisc>& footprint, const Rig& rig
   model.scale = scale;
   model.start = start;
   return model;
+}
+
+/// How far a vehicle reaches ahead of its base where it is tallest: what does not go under a table; m.
+double front(const std::vector<FootprintDisc>& footprint) {
+  double tallest = 0.0;
+  for (const FootprintDisc& disc : footprint) tallest = std::max(tallest, disc.high);
+  double ahead = 0.0;
+  for (const FootprintDisc& disc : footprint)
+    if (disc.high == tallest) ahead = std::max(ahead, disc.radius - disc.z);
+  return ahead;
+}
+
+BasePose movedAhead(BasePose base, double by_m) {
+  const SineCosine heading = sineCosine(radiansFromUnits(base.heading_units));
+  base.x_nm = movedBy(base.x_nm, -heading.sine * by_m);
+  base.z_nm = movedBy(base.z_nm, -heading.cosine * by_m);
+  return base;
 }
 
 /// Fingers do not go into what they hold.
@@ -93,8 +111,8 @@ void Scene::gather(WorldModel& model) {
   targets_ = std::move(found.targets);
   if (!found.ambients.empty()) ambient_ = found.ambients.front();
   std::vector<BasePose> robot_places;
-  if (description_.robot) robot_places = {description_.robot->start, description_.robot->workplace};
-  checkPlaces(model, {description_.start, description_.workplace}, robot_places);
+  if (description_.robot) robot_places = {description_.robot->start, workplace(Mode::Robot)};
+  checkPlaces(model, {description_.start, workplace(Mode::Operator)}, robot_places);
 }
 
 const ViewPoint& Scene::eye(Eye which, Mode mode) const {
@@ -103,6 +121,15 @@ const ViewPoint& Scene::eye(Eye which, Mode mode) const {
 
 const VRObject& Scene::hand(Mode mode) const {
   return mode == Mode::Robot && robot_ ? robot_->rightHand() : human_.rightHand();
+}
+
+BasePose Scene::workplace(Mode mode) const {
+  const Rig usual;
+  if (mode == Mode::Operator)
+    return movedAhead(description_.workplace, front(masterFootprint(usual)) - front(masterFootprint(rig_)));
+  assert(description_.robot);
+  return movedAhead(description_.robot->workplace,
+                    front(robotFootprint(usual)) - front(robotFootprint(robotRig(rig_))));
 }
 
 WorldState Scene::initialState(std::uint64_t seed) const {

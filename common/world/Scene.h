@@ -40,6 +40,10 @@ class Scene : public VRObject {
   /// Where a session begins. Seed 0: everything where the description has it; others: what can be grasped is
   /// scattered over the description's area, if it has one.
   WorldState initialState(std::uint64_t seed = 0) const;
+  /// Where the base of whom the mode says should be to work: as the description has it for the default rig;
+  /// somebody of another size keeps their front as far from what they work at. Precondition: the mode is
+  /// there.
+  BasePose workplace(Mode mode) const;
   /// DOFs that move anything here; a scene that only looks has six.
   DofMask dofs() const;
 
