@@ -6,12 +6,12 @@ namespace coherency {
 
 namespace {
 
-constexpr double kFarthest = 0.97;  // of the straight arm
+constexpr double kFarthest = 0.98;  // of the straight arm
 constexpr double kEasy = 0.90;      // nobody moves the seat for less
 constexpr double kAbove = 0.05;     // m, the hand comes from above
 constexpr double kTower = 0.11;     // m, a tower is built upon one of them
-constexpr double kStep = 0.03;      // m
-constexpr int kSteps = 15;          // to each side
+constexpr double kStep = 0.02;      // m
+constexpr int kSteps = 25;          // to each side
 
 BasePose aside(const BasePose& base, double right_m) {
   const Coord3 to = transform(base).point({right_m, 0.0, 0.0});
