@@ -17,7 +17,7 @@ import shutil
 import subprocess
 import sys
 
-GOLDEN = {"random": "bed2a8f131998014", "recorded": "9ff72ba173ffc6fe"}  # FNV-1a of every step's state; they change with the rules, knowingly
+GOLDEN = {"random": "3db07af78a3a3424", "recorded": "eda5af5196a69583"}  # FNV-1a of every step's state; they change with the rules, knowingly
 RECORDING = "cmu_14_20_reach_twist_bend.csv"
 
 SOURCES = (
