@@ -4,10 +4,13 @@
 #include <cmath>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include "common/config/ConfigError.h"
 #include "common/sync/StopSignal.h"
 #include "motion_server/device/ReplayMaster.h"
 #include "motion_server/device/SimulatedMaster.h"
+#include "motion_server/device/simulated/OperatorTask.h"
 
 namespace coherency {
 namespace {
@@ -27,20 +30,11 @@ auto orConfigError(const std::string& file, auto&& make) {
 }
 
 std::unique_ptr<Scene> sceneOf(const ServerConfig& config) {
-  return orConfigError(config.scene_file, [&] { return std::make_unique<Scene>(config.scene, config.rig); });
-}
-
-OperatorTask operatorTask(const Scene& scene) {
-  OperatorTask task;
-  const World& world = scene.world();
-  for (const MovableModel& m : world.model().movables) task.edges.push_back(m.edge);
-  task.targets = scene.targets();
-  task.workplace = scene.description().workplace;
-  if (scene.description().robot) task.robot_workplace = scene.description().robot->workplace;
-  task.robot_scale = world.model().master.rig.robot_scale;
-  task.grasp_point =
-      world.hand(Holder::OperatorHand).graspPoint() - Coord3{world.model().master.rig.hand, 0.0, 0.0};
-  return task;
+  return orConfigError(config.scene_file, [&] {
+    auto scene = std::make_unique<Scene>(config.scene, config.rig);
+    scene->initialState(config.world_seed);  // strewn, there must be room
+    return scene;
+  });
 }
 
 std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scene) {
@@ -49,6 +43,8 @@ std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scen
     return orConfigError(
         "", [&] { return std::make_unique<ReplayMaster>(readRecording(config.recording), config.rig, how); });
   }
+  for (const std::string& sentence : outOfReach(scene, scene.initialState(config.world_seed)))
+    fmt::print(stderr, "motion_server: {}; the simulated operator will only look about\n", sentence);
   return std::make_unique<SimulatedMaster>(operatorTask(scene), config.rig, config.seed);
 }
 

@@ -11,16 +11,14 @@ namespace coherency {
 
 namespace {
 
-constexpr double kGravity = 9.80665;   // m/s^2
-constexpr double kFastestFall = 20.0;  // m/s
-constexpr double kRise = 0.6;          // m/s, out of what a cube was let go in
-constexpr double kPush = 0.4;          // m/s, beside it
-constexpr double kRighting = 6.0;      // rad/s, onto the nearest face
-constexpr double kTipping = 4.0;       // rad/s, over an edge
-constexpr double kOutside = 5e-4;      // m, centre off its support that does not tip yet
-constexpr double kTouching = 2e-9;     // m, what rounding to nanometres leaves
-constexpr double kFalling = 1.0;       // m/s, faster is no search for rest
-constexpr std::uint32_t kPatienceUs = 2'000'000;
+constexpr double kGravity = 9.80665;  // m/s^2
+constexpr double kRise = 0.6;         // m/s, out of what a cube was let go in
+constexpr double kPush = 0.4;         // m/s, beside it
+constexpr double kRighting = 6.0;     // rad/s, onto the nearest face
+constexpr double kTipping = 4.0;      // rad/s, over an edge
+constexpr double kOutside = 5e-4;     // m, centre off its support that does not tip yet
+constexpr double kTouching = 2e-9;    // m, what rounding to nanometres leaves
+constexpr double kFalling = 1.0;      // m/s, faster is no search for rest
 
 void moveBy(Movable& m, const Coord3& metres) {
   m.x_nm = movedBy(m.x_nm, metres.x);
@@ -44,8 +42,8 @@ void tip(Movable& m, const Support& support, PlanPoint edge, double period_s) {
 }
 
 void fall(Movable& m, double down_to, double period_s) {
-  m.fall_um = static_cast<std::int32_t>(
-      std::min(m.fall_um + std::round(kGravity * period_s / kMicrometre), kFastestFall / kMicrometre));
+  m.fall_um = static_cast<std::int32_t>(std::min(m.fall_um + std::round(kGravity * period_s / kMicrometre),
+                                                 static_cast<double>(kFastestFallUm)));
   const double by = m.fall_um * kMicrometre * period_s;
   if (by >= down_to) m.fall_um = 0;
   moveBy(m, {0.0, -std::min(by, down_to), 0.0});
@@ -68,6 +66,11 @@ bool makeRoom(Movable& m, const Neighbourhood::Sideways& sideways, double period
   const double share = std::min(1.0, kPush * period_s / way);
   moveBy(m, {sideways.way.x * share, 0.0, sideways.way.z * share});
   return false;
+}
+
+/// Its centre is over what carries it.
+bool carries(const Support& support) {
+  return support.area.empty() || length(nearestToOrigin(support.area)) <= kOutside;
 }
 
 /// Whether it goes on looking for a better place; what is wedged in a heap stays where it is in the end.
@@ -105,6 +108,19 @@ void stepBlock(WorldState& state, const WorldModel& model, std::size_t which, do
   else
     m.fall_um = 0;
   m.resting = touches && gap >= -kTouching && cube.isFlat() && clear;
+  if (m.resting && carries(support) && length(around.sideways().way) == 0.0) m.unrest_us = 0;
+}
+
+/// Wakes what has lost its support. What is wedged stays without.
+void wakeFalling(WorldState& state, const WorldModel& model) {
+  for (std::size_t i = 0; i < state.movables.size(); ++i) {
+    Movable& m = state.movables[i];
+    if (m.holder != Holder::Nobody || !m.resting) continue;
+    const Neighbourhood around(state, model, i);
+    const Support support = around.support();
+    const bool touches = -support.top - around.cube().lowest() <= kSameHeight;
+    m.resting = touches && (carries(support) || m.unrest_us == kPatienceUs);
+  }
 }
 
 }  // namespace
@@ -117,20 +133,17 @@ bool stepBlocks(WorldState& state, const WorldModel& model, std::int64_t period_
     stepBlock(state, model, i, period_s);
     moved = true;
   }
-  if (moved) wakeUnsupported(state, model);
+  if (moved) wakeFalling(state, model);
   return moved;
 }
 
 void wakeUnsupported(WorldState& state, const WorldModel& model) {
-  for (std::size_t i = 0; i < state.movables.size(); ++i) {
-    Movable& m = state.movables[i];
-    if (m.holder != Holder::Nobody || !m.resting) continue;
-    const Neighbourhood around(state, model, i);
-    const Support support = around.support();
-    const bool touches = -support.top - around.cube().lowest() <= kSameHeight;
-    const bool carried = support.area.empty() || length(nearestToOrigin(support.area)) <= kOutside;
-    m.resting = touches && (carried || m.unrest_us == kPatienceUs);
+  for (Movable& m : state.movables) {
+    if (m.holder != Holder::Nobody || m.unrest_us < kPatienceUs) continue;
+    m.unrest_us = 0;  // what wedged it may be gone: it tries again
+    m.resting = false;
   }
+  wakeFalling(state, model);
 }
 
 bool towerStands(const WorldState& state, const WorldModel& model) {

@@ -17,7 +17,8 @@ namespace coherency {
 /// rest.
 bool stepBlocks(WorldState& state, const WorldModel& model, std::int64_t period_ns);
 
-/// Wakes what has lost its support: to be called when something was taken or let go.
+/// Wakes what has lost its support, and what is wedged, for whatever wedged it may be gone: to be called when
+/// something was taken or let go.
 void wakeUnsupported(WorldState& state, const WorldModel& model);
 
 /// Whether three movables stand one upon the other, all at rest.

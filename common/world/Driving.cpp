@@ -12,7 +12,6 @@ namespace coherency {
 
 namespace {
 
-constexpr double kFastestUm = 2e9;  // what a speed's int32 holds
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr double kPushSpeed = 2.0;  // m/s
 constexpr int kPushes = 4;          // in one step: a corner has two walls
@@ -35,8 +34,9 @@ Planar wishedVelocity(const DriveControls& c, const DriveLimits& limits) {
   const Planar stick{c.right, c.ahead};
   const double deflection =
       std::max(1.0, stick.length());  // the stick's corners are no faster than its edges
-  return {std::clamp(stick.right / deflection * full, -kFastestUm, kFastestUm),
-          std::clamp(stick.ahead / deflection * full, -kFastestUm, kFastestUm)};
+  const double fastest = kFastestUm;
+  return {std::clamp(stick.right / deflection * full, -fastest, fastest),
+          std::clamp(stick.ahead / deflection * full, -fastest, fastest)};
 }
 
 /// The part of a change that limits allow, in whole units: rounded towards zero so that they are kept, but a
@@ -69,7 +69,8 @@ void accelerate(Vehicle& vehicle, const DriveControls& controls, double period_s
 }
 
 void accelerateTurn(Vehicle& vehicle, double twist, double period_s, const DriveLimits& limits) {
-  const double wished = std::clamp(twist * limits.turn_rate / kAngleUnit, -kFastestUm, kFastestUm);
+  const double wished =
+      std::clamp<double>(twist * limits.turn_rate / kAngleUnit, -kFastestTurn, kFastestTurn);
   const double change = std::abs(wished - vehicle.turn_rate_units);
   if (change == 0.0) return;
   const double allowed = limits.turn_acceleration * period_s / kAngleUnit;
@@ -163,12 +164,14 @@ void move(Vehicle& vehicle, double period_s, const VehicleModel& model, const Su
   if (around.nothing()) return;
   Contact contact = contactOf(vehicle.base, model, around);
   if (contact.plan.depth <= kTouching) return;
+  double budget = length(velocity) * period_s * kMicrometre + kPushSpeed * period_s;
   for (int push = 0; push < kPushes && contact.plan.depth > kTouching; ++push) {
     const double inwards = dot(velocity, contact.plan.away);
     if (inwards < 0.0) velocity = velocity - contact.plan.away * inwards;
     // A nanometre more, so that what is rounded is clear.
-    moveBy(vehicle.base,
-           contact.plan.away * std::min(contact.plan.depth + kNanometre, kPushSpeed * period_s));
+    const double by = std::min(contact.plan.depth + kNanometre, budget);
+    moveBy(vehicle.base, contact.plan.away * by);
+    budget -= by;
     contact = contactOf(vehicle.base, model, around);
   }
   if (contact.plan.depth > std::max(kTouching, contactOf(before, model, around).plan.depth)) {
@@ -186,6 +189,14 @@ void move(Vehicle& vehicle, double period_s, const VehicleModel& model, const Su
 DriveControls driveControls(const MotionSample& sample) {
   return {control(sample, Dof::StickX), control(sample, Dof::StickY), control(sample, Dof::StickTwist),
           control(sample, Dof::PedalLeft), control(sample, Dof::PedalRight)};
+}
+
+bool isWithinLimits(const Vehicle& vehicle, const DriveLimits& limits) {
+  constexpr double kRounding = 4.0;
+  const Planar now{static_cast<double>(vehicle.velocity_right_um),
+                   static_cast<double>(vehicle.velocity_ahead_um)};
+  return now.length() <= limits.speed * std::max(1.0, limits.boost) / kMicrometre + kRounding &&
+         std::abs(vehicle.turn_rate_units * kAngleUnit) <= limits.turn_rate + kRounding * kAngleUnit;
 }
 
 void drive(Vehicle& vehicle, const DriveControls& controls, std::int64_t period_ns, const VehicleModel& model,

@@ -32,9 +32,12 @@ struct DriveControls {
 /// DOFs that are not valid drive nothing: they read zero.
 DriveControls driveControls(const MotionSample& sample);
 
+/// Whether drive() can have led to these speeds, to a few of their units.
+bool isWithinLimits(const Vehicle& vehicle, const DriveLimits& limits);
+
 /// One period of driving. Where something is in the way the vehicle stays clear of it: its speed across is
-/// lost, along it is kept (one slides). A vehicle that already stands in something is pushed out, at no more
-/// than 2 m/s, and comes no deeper into it.
+/// lost, along it is kept (one slides). A vehicle that already stands in something is pushed out, in all
+/// at no more than 2 m/s beyond the speed it drives with, and comes no deeper into it.
 void drive(Vehicle& vehicle, const DriveControls& controls, std::int64_t period_ns, const VehicleModel& model,
            const Surroundings& surroundings);
 

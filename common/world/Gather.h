@@ -31,9 +31,4 @@ struct Gathered {
 /// a door or something to grasp is tilted or scaled, or lies beyond the end of the world.
 Gathered gather(const std::vector<VRObject*>& objects);
 
-/// Throws std::invalid_argument naming both where things of two different `objects` stand in each other, or a
-/// vehicle would begin or work in something.
-void checkPlaces(const WorldModel& model, const std::vector<BasePose>& master_places,
-                 const std::vector<BasePose>& robot_places);
-
 }  // namespace coherency

@@ -7,7 +7,9 @@
 
 #include "common/body/Grip.h"
 #include "common/math/FixedPoint.h"
+#include "common/math/Trigonometry.h"
 #include "common/world/Catalogue.h"
+#include "common/world/Scatter.h"
 
 namespace coherency {
 
@@ -27,6 +29,31 @@ VehicleModel vehicle(const std::vector<FootprintDisc>& footprint, const Rig& rig
   model.scale = scale;
   model.start = start;
   return model;
+}
+
+void checkName(const std::string& name) {
+  static const std::set<std::string> reserved = {"virtual human", "slave robot", "master system"};
+  if (name.empty() || name.find('/') != std::string::npos || reserved.contains(name))
+    throw std::invalid_argument("an object cannot be called '" + name +
+                                "'; a name has one letter or more, no '/', and is none of: master system, "
+                                "slave robot, virtual human");
+}
+
+/// How far a vehicle reaches ahead of its base where it is tallest: what does not go under a table; m.
+double front(const std::vector<FootprintDisc>& footprint) {
+  double tallest = 0.0;
+  for (const FootprintDisc& disc : footprint) tallest = std::max(tallest, disc.high);
+  double ahead = 0.0;
+  for (const FootprintDisc& disc : footprint)
+    if (disc.high == tallest) ahead = std::max(ahead, disc.radius - disc.z);
+  return ahead;
+}
+
+BasePose movedAhead(BasePose base, double by_m) {
+  const SineCosine heading = sineCosine(radiansFromUnits(base.heading_units));
+  base.x_nm = movedBy(base.x_nm, -heading.sine * by_m);
+  base.z_nm = movedBy(base.z_nm, -heading.cosine * by_m);
+  return base;
 }
 
 /// Fingers do not go into what they hold.
@@ -70,9 +97,10 @@ Scene::~Scene() = default;
 void Scene::addObjects(Stage& stage) {
   std::set<std::string> names;
   for (const ObjectPlacement& placement : description_.objects) {
+    checkName(placement.name);
     if (!names.insert(placement.name).second)
       throw std::invalid_argument("two objects are called '" + placement.name +
-                                  "'; give one of them another name");
+                                  "'; give one of them another name: name = \"...\" in its [[object]]");
     objects_.push_back(makeObject(placement, stage));
     addMember(objects_.back().get());
   }
@@ -92,9 +120,16 @@ void Scene::gather(WorldModel& model) {
   lights_ = std::move(found.lights);
   targets_ = std::move(found.targets);
   if (!found.ambients.empty()) ambient_ = found.ambients.front();
-  std::vector<BasePose> robot_places;
-  if (description_.robot) robot_places = {description_.robot->start, description_.robot->workplace};
-  checkPlaces(model, {description_.start, description_.workplace}, robot_places);
+  checkPlaces(model, places(Mode::Operator), description_.robot ? places(Mode::Robot) : VehiclePlaces{});
+  if (!description_.scatter) return;
+  WorldState start = World(model).initialState();
+  scatter(start, model, *description_.scatter, 1);  // there is room
+}
+
+VehiclePlaces Scene::places(Mode mode) const {
+  const BasePose start = mode == Mode::Robot ? description_.robot->start : description_.start;
+  if (!description_.driving) return {start, std::nullopt};
+  return {start, workplace(mode)};
 }
 
 const ViewPoint& Scene::eye(Eye which, Mode mode) const {
@@ -105,9 +140,24 @@ const VRObject& Scene::hand(Mode mode) const {
   return mode == Mode::Robot && robot_ ? robot_->rightHand() : human_.rightHand();
 }
 
+BasePose Scene::workplace(Mode mode) const {
+  const Rig usual;
+  if (mode == Mode::Operator)
+    return movedAhead(description_.workplace, front(masterFootprint(usual)) - front(masterFootprint(rig_)));
+  assert(description_.robot);
+  return movedAhead(description_.robot->workplace,
+                    front(robotFootprint(usual)) - front(robotFootprint(robotRig(rig_))));
+}
+
 WorldState Scene::initialState(std::uint64_t seed) const {
   WorldState state = world_->initialState();
-  if (seed != 0 && description_.scatter) world_->scatter(state, *description_.scatter, seed);
+  if (seed == 0 || movables_.empty()) return state;
+  if (!description_.scatter)
+    throw std::invalid_argument(
+        "scene '" + description_.name + "' has things to grasp, but not where to strew them for world seed " +
+        std::to_string(seed) +
+        "; give it scatter = [x from, x to, z from, z to], or take world seed 0, which leaves them in place");
+  scatter(state, world_->model(), *description_.scatter, seed);
   return state;
 }
 
@@ -143,14 +193,6 @@ void Scene::applyMovables(const WorldState& state) {
       t_world_movable = robot_->rightHand().globalTransform() * t_world_movable;
     movables_[i]->setGlobalTransform(t_world_movable);
   }
-}
-
-bool Scene::fits(const WorldState& state) const {
-  const bool robot_needed = state.mode == Mode::Robot ||
-                            std::any_of(state.movables.begin(), state.movables.end(),
-                                        [](const Movable& m) { return m.holder == Holder::RobotHand; });
-  return state.movables.size() == movables_.size() && state.doors.size() == doors_.size() &&
-         (robot_ || !robot_needed);
 }
 
 }  // namespace coherency

@@ -7,6 +7,7 @@
 #include "common/body/VirtualHuman.h"
 #include "common/scene/Light.h"
 #include "common/world/Gather.h"
+#include "common/world/Places.h"
 #include "common/world/SceneDescription.h"
 #include "common/world/World.h"
 
@@ -20,8 +21,8 @@ struct Stage;
 class Scene : public VRObject {
  public:
   /// Throws std::domain_error where the rig is not valid, and std::invalid_argument naming the objects where
-  /// one is of no known kind, two have one name, one stands in another or in what drives, or something that
-  /// stands in the way is tilted or scaled.
+  /// one is of no known kind, two have one name, a name cannot be one, one stands in another or in what
+  /// drives, something that stands in the way is tilted or scaled, or there is no room to scatter.
   Scene(const SceneDescription& description, const Rig& rig);
   ~Scene() override;
 
@@ -38,8 +39,13 @@ class Scene : public VRObject {
   /// The rules by which its states go on.
   const World& world() const { return *world_; }
   /// Where a session begins. Seed 0: everything where the description has it; others: what can be grasped is
-  /// scattered over the description's area, if it has one.
+  /// scattered over the description's area. Throws std::invalid_argument where there are things to scatter
+  /// and no area, or no room in it.
   WorldState initialState(std::uint64_t seed = 0) const;
+  /// Where the base of whom the mode says should be to work: as the description has it for the default rig;
+  /// somebody of another size keeps their front as far from what they work at. Precondition: the mode is
+  /// there.
+  BasePose workplace(Mode mode) const;
   /// DOFs that move anything here; a scene that only looks has six.
   DofMask dofs() const;
 
@@ -51,12 +57,13 @@ class Scene : public VRObject {
   /// Brings the tree into the given state and posture. Precondition: the state has this world's movables and
   /// doors.
   void apply(const WorldState& state, const MotionSample& sample);
-  /// Whether a state is one of this world's: as many movables and doors, and a mode there is.
-  bool fits(const WorldState& state) const;
+  /// World::fits().
+  bool fits(const WorldState& state) const { return world_->fits(state); }
 
  private:
   void addObjects(Stage& stage);
   void gather(WorldModel& model);
+  VehiclePlaces places(Mode mode) const;
   void applyMovables(const WorldState& state);
 
   SceneDescription description_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/world/BasePose.h"
-#include "common/world/WorldModel.h"
+#include "common/world/Scatter.h"
 
 namespace coherency {
 

@@ -65,7 +65,7 @@ std::vector<std::byte> snapshot(const WorldState& state) {
   return bytes;
 }
 
-WorldState restore(std::span<const std::byte> bytes) {
+WorldState restore(std::span<const std::byte> bytes, const World& world) {
   Reader reader(bytes);
   for (const std::byte b : kMagic)
     if (reader.take(1, "COHS") != std::to_integer<std::uint64_t>(b))
@@ -85,7 +85,14 @@ WorldState restore(std::span<const std::byte> bytes) {
   });
   if (reader.left() != 0) refuse("goes on for " + std::to_string(reader.left()) + " bytes after its end");
   if (!isValid(state))
-    refuse("holds what no world can: a place beyond its end, a door or an attitude that cannot be");
+    refuse(
+        "holds what no world can: a place beyond its end, or a speed, a door or an attitude that cannot be");
+  if (!world.fits(state))
+    refuse(
+        "was taken of another world: of " + std::to_string(state.movables.size()) + " things to grasp and " +
+        std::to_string(state.doors.size()) + " doors, or a robot, or faster than this one goes; this has " +
+        std::to_string(world.model().movables.size()) + " and " + std::to_string(world.model().doors.size()) +
+        (world.has(Mode::Robot) ? ", with" : ", without") + " a robot");
   return state;
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/world/WorldState.h"
+#include "common/world/World.h"
 
 namespace coherency {
 
@@ -16,8 +16,8 @@ inline constexpr std::uint16_t kSnapshotLayout = 1;
 std::vector<std::byte> snapshot(const WorldState& state);
 
 /// The state a snapshot was taken of. Throws std::runtime_error naming what is wrong: no snapshot, another
-/// layout version, cut short, longer than it should be, more movables or doors than a world has, or a field
-/// that no state can have.
-WorldState restore(std::span<const std::byte> bytes);
+/// layout version, cut short, longer than it should be, more movables or doors than a state holds, a field
+/// that no state can have, or a state that is not one of `world`'s.
+WorldState restore(std::span<const std::byte> bytes, const World& world);
 
 }  // namespace coherency

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -79,34 +78,29 @@ WorldState World::initialState() const {
   return state;
 }
 
-void World::scatter(WorldState& state, const ScatterArea& area, std::uint64_t seed) const {
-  constexpr int kTries = 1000;
-  constexpr double kApart = 1.8;  // edges: room for fingers
-  std::mt19937_64 engine(seed);
-  const auto between01 = [&engine] { return static_cast<double>(engine() >> 11) * 0x1.0p-53; };
-  for (std::size_t i = 0; i < state.movables.size(); ++i) {
-    const double apart = kApart * model_.movables[i].edge;
-    for (int attempt = 0;; ++attempt) {
-      if (attempt == kTries)
-        throw std::invalid_argument("the area to scatter blocks over has no room for all of them");
-      Movable& m = state.movables[i];
-      m.x_nm = nanometresFromMetres(area.min_x + (area.max_x - area.min_x) * between01());
-      m.z_nm = nanometresFromMetres(area.min_z + (area.max_z - area.min_z) * between01());
-      setAttitude(m, quaternion(TransformMatrix::rotationY((between01() - 0.5) * kTurn)));
-      const auto clear = [&](const Movable& other) {
-        return length(between({m.x_nm, 0, m.z_nm, 0}, {other.x_nm, 0, other.z_nm, 0})) > apart;
-      };
-      if (std::all_of(state.movables.begin(), state.movables.begin() + static_cast<std::ptrdiff_t>(i), clear))
-        break;
-    }
-  }
+bool World::hasPartsOf(const WorldState& state) const {
+  const bool robot_needed = state.mode == Mode::Robot || (state.closed_hands & 2) != 0 ||
+                            std::any_of(state.movables.begin(), state.movables.end(),
+                                        [](const Movable& m) { return m.holder == Holder::RobotHand; });
+  return state.movables.size() == model_.movables.size() && state.doors.size() == model_.doors.size() &&
+         (model_.robot || !robot_needed);
+}
+
+bool World::fits(const WorldState& state) const {
+  return isValid(state) && hasPartsOf(state) && isWithinLimits(state.master, model_.master.limits) &&
+         (!model_.robot || isWithinLimits(state.robot, model_.robot->limits));
 }
 
 void World::step(WorldState& state, const MotionSample& sample, std::int64_t period_ns) const {
+  if (!hasPartsOf(state))
+    throw std::invalid_argument(
+        "a state of another world: it has " + std::to_string(state.movables.size()) +
+        " things to grasp and " + std::to_string(state.doors.size()) + " doors, or a robot, and this world " +
+        std::to_string(model_.movables.size()) + " and " + std::to_string(model_.doors.size()) +
+        (model_.robot ? ", with a robot" : ", without a robot"));
   ++state.tick;
   if (model_.driving) stepVehicles(state, sample, period_ns);
   if (!model_.doors.empty()) stepDoors(state, period_ns);
-  if (model_.movables.empty()) return;
   bool changed = hand_.step(state, sample, state.master.base);
   if (robot_hand_) changed = robot_hand_->step(state, sample, state.robot.base) || changed;
   if (changed) wakeUnsupported(state, model_);

@@ -23,12 +23,11 @@ class World {
 
   /// Everything where the model has it.
   WorldState initialState() const;
-  /// Moves the movables to random places within the area, clear of one another, each turned at random, at the
-  /// height they have; the same seed gives the same places. Throws std::invalid_argument where there is no
-  /// room.
-  void scatter(WorldState& state, const ScatterArea& area, std::uint64_t seed) const;
-
-  /// One period. Order: vehicles, doors, hands, movables, the task's clock.
+  /// Whether a state is one of this world's: one that can be (isValid()), with as many movables and doors, in
+  /// a mode and in hands there are, and no faster than anything here drives.
+  bool fits(const WorldState& state) const;
+  /// One period. Order: vehicles, doors, hands, movables, the task's clock. Throws std::invalid_argument
+  /// where the state is another world's.
   void step(WorldState& state, const MotionSample& sample, std::int64_t period_ns) const;
 
   /// Whether there is such a mode here: a robot to be, or not.
@@ -38,6 +37,7 @@ class World {
   const GraspingHand& hand(Holder which) const { return which == Holder::RobotHand ? *robot_hand_ : hand_; }
 
  private:
+  bool hasPartsOf(const WorldState& state) const;
   void stepVehicles(WorldState& state, const MotionSample& sample, std::int64_t period_ns) const;
   void stepDoors(WorldState& state, std::int64_t period_ns) const;
 

@@ -30,6 +30,7 @@ struct SolidBox {
   double half_z = 0.0;
   double height = 0.0;
   std::string owner;    ///< path of the object it belongs to, for messages
+  int member = 0;       ///< which of the scene's members that is part of
   double cosine = 1.0;  ///< of the heading; see place()
   double sine = 0.0;
 };
@@ -53,13 +54,7 @@ struct MovableModel {
   double edge = 0.0;  ///< m
   BasePose start;     ///< of its centre
   std::string name;
-};
-
-/// A stretch of a surface over which movables are strewn at the beginning of a session (paper, section V:
-/// "three blocks placed randomly on the table"). World coordinates, m.
-struct ScatterArea {
-  double min_x = 0.0, max_x = 0.0, min_z = 0.0, max_z = 0.0;
-  bool operator==(const ScatterArea&) const = default;
+  int member = 0;  ///< which of the scene's
 };
 
 /// What never changes while a world runs and its steps go by: sizes, places, limits. Plain data, made from a

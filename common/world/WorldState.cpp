@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 
 #include "common/math/FixedPoint.h"
@@ -35,28 +34,6 @@ class Fnv1a {
 
 }  // namespace
 
-std::int64_t movedBy(std::int64_t from_nm, double by_m) {
-  const std::int64_t by_nm = std::llround(by_m / kNanometre);
-  return std::clamp(from_nm + by_nm, -kWorldLimitNm, kWorldLimitNm);
-}
-
-TransformMatrix transform(const BasePose& base) {
-  TransformMatrix t = TransformMatrix::rotationY(radiansFromUnits(base.heading_units));
-  t.setOrigin(
-      {metresFromNanometres(base.x_nm), metresFromNanometres(base.y_nm), metresFromNanometres(base.z_nm)});
-  return t;
-}
-
-BasePose basePose(double x, double z, double heading) {
-  const auto coordinate = [](double metres) {
-    const std::int64_t nm = nanometresFromMetres(metres);
-    if (nm < -kWorldLimitNm || nm > kWorldLimitNm)
-      throw std::range_error("a coordinate lies beyond the end of the world, 1e9 m from its origin");
-    return nm;
-  };
-  return {coordinate(x), 0, coordinate(z), unitsFromRadians(heading)};
-}
-
 Quaternion attitude(const Movable& movable) {
   const auto& q = movable.attitude;
   return {ratioFromUnits(q[0]), ratioFromUnits(q[1]), ratioFromUnits(q[2]), ratioFromUnits(q[3])};
@@ -83,9 +60,15 @@ bool isValid(const WorldState& state) {
     // Rounding and w >= 0 aside, the length is 1: far from it is no attitude of ours.
     double square = 0.0;
     for (const std::int32_t c : m.attitude) square += ratioFromUnits(c) * ratioFromUnits(c);
-    return good(m) && m.holder <= Holder::RobotHand && std::abs(square - 1.0) < 1e-6;
+    return good(m) && m.fall_um >= 0 && m.fall_um <= kFastestFallUm && m.unrest_us <= kPatienceUs &&
+           m.holder <= Holder::RobotHand && std::abs(square - 1.0) < 1e-6;
   };
-  return state.mode <= Mode::Robot && good(state.master.base) && good(state.robot.base) &&
+  const auto goodVehicle = [&](const Vehicle& v) {
+    const auto below = [](std::int64_t value, std::int64_t most) { return value >= -most && value <= most; };
+    return good(v.base) && below(v.velocity_right_um, kFastestUm) && below(v.velocity_ahead_um, kFastestUm) &&
+           below(v.turn_rate_units, kFastestTurn);
+  };
+  return state.mode <= Mode::Robot && goodVehicle(state.master) && goodVehicle(state.robot) &&
          state.closed_hands <= 3 && std::all_of(state.movables.begin(), state.movables.end(), goodMovable) &&
          std::all_of(state.doors.begin(), state.doors.end(),
                      [](std::int32_t door) { return door >= 0 && door <= kDoorOpen; });

@@ -53,6 +53,10 @@ struct TaskClock {
   bool operator==(const TaskClock&) const = default;
 };
 
+inline constexpr std::int32_t kFastestUm = 100'000'000;      ///< a vehicle's speed, um/s, whatever its limits
+inline constexpr std::int32_t kFastestTurn = 2'000'000'000;  ///< and its turn rate
+inline constexpr std::int32_t kFastestFallUm = 20'000'000;   ///< of a movable, um/s
+inline constexpr std::uint32_t kPatienceUs = 2'000'000;      ///< the most that `unrest_us` counts
 inline constexpr std::size_t kMaxMovables = 8;
 inline constexpr std::size_t kMaxDoors = 16;
 inline constexpr std::int32_t kDoorOpen = 1 << 30;
@@ -81,8 +85,9 @@ struct WorldState {
 template <class State, class Visit>
 void forEachField(State& state, Visit&& visit);
 
-/// Whether a state can be at all: places within the world, attitudes that are rotations, doors between closed
-/// and open, modes and holders there are. What comes from wire or file is asked this.
+/// Whether a state can be at all: places within the world, speeds and waits that the rules can lead to,
+/// attitudes that are rotations, doors between closed and open, modes and holders there are. What comes from
+/// wire or file is asked this; whether it is one of a certain world's, World::fits().
 bool isValid(const WorldState& state);
 
 /// FNV-1a, 64 bit, over the little-endian bytes of all fields of both, in forEachField()'s order and then the

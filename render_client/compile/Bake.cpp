@@ -13,7 +13,7 @@ namespace coherency {
 namespace {
 
 /// Longer edges are always looked at; others only where the light differs between their ends.
-constexpr double kLookLonger = 0.25;  // m
+constexpr double kLookLonger = 0.45;  // m
 /// Shadows of rails, shelves and sills are bands. Triangles may grow this long along them, while they are
 /// coarse; afterwards none grows longer, so that cutting comes to an end.
 constexpr double kStretch = 3.0;

@@ -9,7 +9,7 @@ struct BakeSettings {
   int rays = 16;
   /// An edge is cut where what is shown halfway differs from what is shown halfway between its ends', times
   /// the edge's length, by more than this: share of a display's range, times m.
-  double tolerance = 0.010;
+  double tolerance = 0.012;
   double finest = 0.04;  ///< m; edges as short as this are not cut for light
 };
 

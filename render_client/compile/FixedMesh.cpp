@@ -16,7 +16,7 @@ namespace {
 /// Light varies over less than a metre in a room. What shines by itself needs none, and what is larger than
 /// any hall is scenery.
 double longestEdge(const FaceSet& faces, double size) {
-  constexpr double kLongest = 1.0;
+  constexpr double kLongest = 0.5;
   constexpr double kHall = 60.0;
   if (faces.material.emission >= kShines || size > kHall) return std::numeric_limits<double>::infinity();
   return std::max(kLongest, size / 32.0);

@@ -14,7 +14,8 @@ namespace {
 
 constexpr float kLift = 0.005F;      ///< m; what is pasted on a surface, such as a sheet of paper, is thinner
 constexpr float kInset = 0.02F;      ///< m, from a border
-constexpr float kLampRadius = 0.3F;  ///< m
+constexpr float kLampRadius = 0.4F;  ///< m, of a room's: as wide panels soften shadows
+constexpr float kOfReach = 0.05F;    ///< of a lamp's reach, where that is less
 constexpr float kLampSkin = 0.02F;   ///< m, about a lamp, in which nothing is in its way
 constexpr float kPlaceRadius = 0.25F;  ///< m
 constexpr std::size_t kPlaceRays = 32;
@@ -61,7 +62,8 @@ LightBaker::LightBaker(const std::vector<Occluder>& occluders, const Illuminatio
 void LightBaker::addLamp(const Light& light) {
   Lamp lamp{vec3(light.position), vec3(light.colour * light.intensity), static_cast<float>(light.reach), {}};
   for (const glm::vec2& p : discPoints(std::max({ray_count_ / 2, kLampLook, kPlaceRays}))) {
-    const glm::vec3 at = lamp.position + kLampRadius * glm::vec3(p.x, 0.0F, p.y);
+    const float radius = std::min(kLampRadius, kOfReach * lamp.reach);
+    const glm::vec3 at = lamp.position + radius * glm::vec3(p.x, 0.0F, p.y);
     lamp.disc.push_back(rays_.blocked(lamp.position, at) ? lamp.position : at);
   }
   lamps_.push_back(std::move(lamp));

@@ -20,13 +20,13 @@ ObjectPlacement placed(const std::string& kind, const std::string& name, double 
   return placement;
 }
 
-/// The laboratory with one thing more. What it is refused for must name all `words`.
-void expectRefused(const ObjectPlacement& more, const std::vector<std::string>& words) {
-  SceneDescription description = described("laboratory");
-  description.objects.push_back(more);
+/// What the scene is refused for must name all `words`.
+void expectRefused(const SceneDescription& description, const std::vector<std::string>& words,
+                   std::uint64_t seed = 0) {
   try {
     const Scene scene(description, Rig{});
-    FAIL() << "'" << more.name << "' was accepted";
+    scene.initialState(seed);
+    FAIL() << "it was accepted";
   } catch (const std::invalid_argument& refused) {
     for (const std::string& word : words)
       EXPECT_NE(std::string(refused.what()).find(word), std::string::npos)
@@ -34,12 +34,19 @@ void expectRefused(const ObjectPlacement& more, const std::vector<std::string>& 
   }
 }
 
+/// The laboratory with one thing more.
+void expectRefused(const ObjectPlacement& more, const std::vector<std::string>& words) {
+  SceneDescription description = described("laboratory");
+  description.objects.push_back(more);
+  expectRefused(description, words);
+}
+
 TEST(Refused, KindsThatThereAreNot) {
   expectRefused(placed("sofa", "red sofa", 0.0, 2.0), {"red sofa", "'sofa'", "armchair", "laboratory"});
 }
 
 TEST(Refused, OneNameForTwo) {
-  expectRefused(placed("plant", "red block", 2.0, 2.0), {"'red block'", "another name"});
+  expectRefused(placed("plant", "red block", 2.0, 2.0), {"'red block'", "another name", "name = \""});
 }
 
 TEST(Refused, ATableInAWall) {
@@ -53,7 +60,54 @@ TEST(Refused, ABlockInTheTable) {
 }
 
 TEST(Refused, WhatStandsWhereOneBegins) {
-  expectRefused(placed("plant", "palm", 0.0, 1.25), {"palm", "master system"});
+  expectRefused(placed("plant", "palm", 0.0, 1.25), {"palm", "master system", "its start"});
+  expectRefused(placed("plant", "palm", 0.0, -0.3), {"palm", "master system", "its workplace"});
+  expectRefused(placed("plant", "palm", -2.0, -1.98), {"palm", "slave robot", "its start"});
+}
+
+TEST(Refused, OneVehicleInTheOther) {
+  SceneDescription description = described("laboratory");
+  description.robot->start = description.start;
+  expectRefused(description, {"master system", "slave robot", "start"});
+  description = described("laboratory");
+  description.robot->start = description.workplace;
+  description.robot->start.z_nm += 300'000'000;
+  expectRefused(description, {"master system", "slave robot", "workplace"});
+}
+
+TEST(Refused, NamesThatCannotBe) {
+  for (const char* name : {"", "my/table", "virtual human", "slave robot", "master system"})
+    expectRefused(placed("plant", name, 2.0, 2.0), {"'" + std::string(name) + "'", "no '/'"});
+}
+
+TEST(Refused, WhereOneBeginsInSomethingWithoutDriving) {
+  SceneDescription description = described("laboratory");
+  description.driving = false;
+  description.objects.push_back(placed("bookshelf", "shelf", 0.0, 1.25));
+  expectRefused(description, {"shelf", "master system", "its start"});
+}
+
+TEST(Refused, BlocksWhereTheyCannotBe) {
+  ObjectPlacement block = placed("block", "fourth block", 2.0, 2.0);
+  block.place.y_nm = -1'000'000'000;
+  expectRefused(block, {"fourth block", "floor", "1027.5 mm"});
+  block.place = basePose(0.0, 1.25, 0.0);
+  block.place.y_nm = 600'000'000;
+  expectRefused(block, {"fourth block", "master system", "its start"});
+  block.place = basePose(0.4, -1.2, 0.0);
+  block.place.y_nm = 720'000'000;
+  expectRefused(block, {"fourth block", "table", "raise it by 27.5 mm"});
+}
+
+TEST(Refused, PlacesToScatterWithoutRoom) {
+  SceneDescription description = described("laboratory");
+  for (const ScatterArea& area :
+       {ScatterArea{5e8, 5e8 + 1, 0, 1}, ScatterArea{-3.6, -3.5, 0, 1}, ScatterArea{0, 0.01, -1.2, -1.19}}) {
+    description.scatter = area;
+    expectRefused(description, {"scatter", "room", "block'"});
+  }
+  description.scatter.reset();
+  expectRefused(description, {"laboratory", "scatter = [", "seed 7"}, 7);
 }
 
 TEST(Refused, ColoursAndCountsWhereThereAreNone) {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -19,6 +20,9 @@ class Pusher final : public Master {
     MasterReading reading;
     reading.device_time_us = elapsed_ns / 1000;
     reading.si[index(Dof::HeadY)] = head_y;
+    // It moves as people do, however the mode is.
+    reading.si[index(Dof::HeadYaw)] = 0.3 * std::sin(static_cast<double>(elapsed_ns) * 2e-9);
+    reading.si[index(Dof::ElbowFlexion)] = 1.0 + 0.2 * std::cos(static_cast<double>(elapsed_ns) * 3e-9);
     reading.si[index(Dof::StickY)] = 1.0;
     return reading;
   }
@@ -102,15 +106,19 @@ TEST(Authority, DofsThatASceneDoesNotNeedAreNeverValid) {
 }
 
 TEST(Authority, SwitchesModesBetweenTwoSamples) {
-  Pusher master;
-  Ruled ruled(master);
-  const auto before = ruled.authority.sample(1'000'000, 0, 1);
-  EXPECT_TRUE(ruled.authority.switchTo(Mode::Robot));
-  const auto after = ruled.authority.sample(2'000'000, 0, 1);
-  EXPECT_EQ(before->world.mode, Mode::Operator);
-  EXPECT_EQ(after->world.mode, Mode::Robot);
-  EXPECT_EQ(before->sample.units, after->sample.units) << "without a jump in posture";
-  EXPECT_GT(after->world.robot.velocity_ahead_um, 0);
+  Pusher switching_master, steady_master;
+  Ruled switching(switching_master), steady(steady_master);
+  for (int k = 1; k <= 200; ++k) {
+    if (k == 100) {
+      EXPECT_TRUE(switching.authority.switchTo(Mode::Robot));
+    }
+    const auto result = switching.authority.sample(k * 1'000'000, 0, 1);
+    const auto without = steady.authority.sample(k * 1'000'000, 0, 1);
+    EXPECT_EQ(result->world.mode, k < 100 ? Mode::Operator : Mode::Robot) << k;
+    EXPECT_EQ(result->sample.units, without->sample.units) << "the posture is what it would have been";
+  }
+  EXPECT_GT(switching.authority.state().robot.velocity_ahead_um, 0);
+  EXPECT_EQ(steady.authority.state().robot.velocity_ahead_um, 0);
 }
 
 TEST(Authority, PassesOverAModeThereIsNot) {

@@ -1,16 +1,19 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "common/body/Posture.h"
+#include "common/config/RigFile.h"
 #include "common/config/SceneFile.h"
 #include "common/math/FixedPoint.h"
 #include "common/world/Scene.h"
 #include "motion_server/authority/Authority.h"
 #include "motion_server/device/SimulatedMaster.h"
+#include "motion_server/device/simulated/OperatorTask.h"
 
 namespace coherency {
 namespace {
@@ -32,23 +35,17 @@ Plain somewhere() {
 
 /// The scene of that name with a simulated operator in it.
 struct Staged {
-  explicit Staged(const std::string& name, double robot_scale = 1.0)
-      : scene(readScene(name, COHERENCY_CONFIGS "/scenes"), rigWith(robot_scale)) {
-    task.robot_scale = robot_scale;
-    const WorldModel& model = scene.world().model();
-    for (const MovableModel& m : model.movables) task.edges.push_back(m.edge);
-    task.workplace = scene.description().workplace;
-    if (scene.description().robot) task.robot_workplace = scene.description().robot->workplace;
-    task.grasp_point = scene.world().hand(Holder::OperatorHand).graspPoint() - Coord3{Rig{}.hand, 0.0, 0.0};
-  }
-  static Rig rigWith(double robot_scale) {
-    Rig rig;
-    rig.robot_scale = robot_scale;
-    return rig;
-  }
+  explicit Staged(const std::string& name, const Rig& rig_ = {})
+      : rig(rig_), scene(readScene(name, COHERENCY_CONFIGS "/scenes"), rig), task(operatorTask(scene)) {}
+  Rig rig;
   Scene scene;
   OperatorTask task;
 };
+
+Rig withRobot(double scale, Rig rig = {}) {
+  rig.robot_scale = scale;
+  return rig;
+}
 
 /// What the operator did, millisecond by millisecond, with the world answering.
 struct Session {
@@ -139,7 +136,7 @@ TEST(SimulatedMaster, EveryDofMovesContinuously) {
 
 /// Milliseconds until a tower stood; -1: none within a minute and a half.
 int towerAfter(const Staged& staged, Mode mode, std::uint64_t seed) {
-  SimulatedMaster master(staged.task, Rig{}, seed);
+  SimulatedMaster master(staged.task, staged.rig, seed);
   AuthorityConfig config;
   config.start = staged.scene.initialState(seed);
   config.start.mode = mode;
@@ -151,11 +148,20 @@ int towerAfter(const Staged& staged, Mode mode, std::uint64_t seed) {
   return -1;
 }
 
-TEST(SimulatedMaster, BuildsTheTowerInBothModesWithEachOfAHundredSeeds) {
+// Built with sanitizers, a second of work takes ten times as long: then fewer seeds.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t kSeeds = 5;
+constexpr std::uint64_t kFewSeeds = 1;
+#else
+constexpr std::uint64_t kSeeds = 100;
+constexpr std::uint64_t kFewSeeds = 6;
+#endif
+
+TEST(SimulatedMaster, BuildsTheTowerInBothModesWithEachOfManySeeds) {
   const Staged laboratory("laboratory");
   for (const Mode mode : {Mode::Operator, Mode::Robot}) {
     std::vector<int> times;
-    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       times.push_back(towerAfter(laboratory, mode, seed));
       EXPECT_GT(times.back(), 0) << (mode == Mode::Robot ? "robot" : "operator") << " seed " << seed;
     }
@@ -166,11 +172,32 @@ TEST(SimulatedMaster, BuildsTheTowerInBothModesWithEachOfAHundredSeeds) {
   }
 }
 
+TEST(SimulatedMaster, BuildsWithEveryRigThatIsShipped) {
+  for (const auto& file : std::filesystem::directory_iterator(COHERENCY_CONFIGS "/rigs")) {
+    const Staged laboratory("laboratory", readRig(file.path().string()));
+    for (const Mode mode : {Mode::Operator, Mode::Robot})
+      for (std::uint64_t seed = 1; seed <= kFewSeeds; ++seed)
+        EXPECT_GT(towerAfter(laboratory, mode, seed), 0)
+            << file.path() << (mode == Mode::Robot ? " robot" : " operator") << " seed " << seed;
+  }
+}
+
 TEST(SimulatedMaster, BuildsWithRobotsOfOtherSizes) {
-  for (const double scale : {0.9, 1.25}) {
-    const Staged laboratory("laboratory", scale);
-    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  for (const double scale : {0.8, 0.9, 1.25, 1.4, 2.0}) {
+    const Staged laboratory("laboratory", withRobot(scale));
+    EXPECT_TRUE(outOfReach(laboratory.scene, laboratory.scene.initialState()).empty()) << scale;
+    for (std::uint64_t seed = 1; seed <= kFewSeeds; ++seed)
       EXPECT_GT(towerAfter(laboratory, Mode::Robot, seed), 0) << "scale " << scale << " seed " << seed;
+  }
+}
+
+TEST(SimulatedMaster, SaysWhoCannotReachTheBlocks) {
+  for (const double scale : {0.5, 0.6}) {
+    const Scene scene(readScene("laboratory", COHERENCY_CONFIGS "/scenes"), withRobot(scale));
+    const std::vector<std::string> said = outOfReach(scene, scene.initialState());
+    ASSERT_EQ(said.size(), 1U) << scale;
+    EXPECT_NE(said[0].find("the robot (scale 0."), std::string::npos) << said[0];
+    EXPECT_NE(said[0].find("cannot reach the blocks"), std::string::npos) << said[0];
   }
 }
 

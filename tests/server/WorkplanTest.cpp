@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kEdge = 0.055;
 constexpr double kOnTable = 0.7475;
-const Coord3 kBase{0.0, 0.0, 0.0};
 const Coord3 kComfortable{0.1, 0.75, -0.65};
 
 Movable at(double x, double z, int level = 0) {
@@ -26,7 +25,10 @@ struct Bench {
     for (const Movable& m : blocks) world.movables.push_back(m);
     plan.remember(world);
   }
-  std::optional<Transfer> next() { return plan.next(world, kBase, 0.95, kComfortable, chance); }
+  std::optional<Transfer> next() {
+    return plan.next(
+        world, [](const Coord3& block) { return std::hypot(block.x, block.z) < 0.95; }, kComfortable, chance);
+  }
   /// As if it had been done.
   void carryOut(const Transfer& t) {
     world.movables[t.block] = at(t.to.x, t.to.z, static_cast<int>(std::lround((t.to.y - kOnTable) / kEdge)));

@@ -75,7 +75,7 @@ TEST(DatagramCodec, TheLargestPacketFitsADatagram) {
   packet.previous.assign(kMaxPrevious, packet.sample);
   for (std::size_t i = 0; i < kMaxPrevious; ++i) packet.previous[i].sequence -= i + 1;
   const Vehicle longest{
-      {-kWorldLimitNm, -kWorldLimitNm, -kWorldLimitNm, -1}, INT32_MIN, INT32_MIN, INT32_MIN};
+      {-kWorldLimitNm, -kWorldLimitNm, -kWorldLimitNm, -1}, -kFastestUm, -kFastestUm, -kFastestTurn};
   packet.world = {~std::uint64_t{0},
                   Mode::Robot,
                   longest,
@@ -89,9 +89,9 @@ TEST(DatagramCodec, TheLargestPacketFitsADatagram) {
                                               -kWorldLimitNm,
                                               -kWorldLimitNm,
                                               {0, 0, 0, 1 << 30},
-                                              INT32_MIN,
+                                              kFastestFallUm,
                                               true,
-                                              ~0U});
+                                              kPatienceUs});
   packet.world.doors.assign(kMaxDoors, kDoorOpen);
   ASSERT_TRUE(isValid(packet));
   EXPECT_LE(encoded(packet).size(), kMaxDatagram);

@@ -153,7 +153,7 @@ RC_GTEST_PROP(Driving, NeverGoesThroughAnythingNorExceedsItsLimits, ()) {
       const double moved = std::hypot(static_cast<double>(v.base.x_nm - before.base.x_nm),
                                       static_cast<double>(v.base.z_nm - before.base.z_nm));
       // Pushed out of a corner it may be faster than it drives, but not much.
-      RC_ASSERT(moved <= (limits.speed * limits.boost + 4 * 2.0) * 1e6 + 10.0);
+      RC_ASSERT(moved <= (2.0 * limits.speed * limits.boost + 2.0) * 1e6 + 10.0);
     }
   }
 }
@@ -195,7 +195,8 @@ TEST(Driving, WhatStandsInSomethingIsPushedOutGently) {
     drive(v, {.ahead = 0.1}, kMillisecond, model.master, {model.solids});
     const double now = deepestContact(v.base, model.master, {model.solids}, nullptr);
     ASSERT_LE(now, deepest + 1e-9);
-    ASSERT_LE(std::abs(v.base.x_nm - before.base.x_nm), 8'100'000) << "no jump";
+    // 2 m/s, and as much as it drives itself.
+    ASSERT_LE(std::abs(v.base.x_nm - before.base.x_nm), 2'110'000) << "no jump";
     deepest = now;
   }
   EXPECT_LE(deepest, 2e-9);

@@ -118,14 +118,22 @@ TEST(Hands, DoNotTakeWhatAnotherHolds) {
 }
 
 TEST(Hands, HoldOnWhereTheGripIsNotMeasured) {
-  MotionSample sample = neutralSample(Rig{});
-  Within w(Holder::OperatorHand, sample);
+  // Through the gate, as the server does: it is the gate that keeps what was measured last.
+  SampleGate gate(neutralPosture(Rig{}));
+  MasterReading reading{neutralPosture(Rig{}), kAllDofs, 0};
+  reading.si[index(Dof::Grip)] = 0.9;
+  const MotionSample closed = gate.admit(reading, 1, 0);
+  Within w(Holder::OperatorHand, closed);
   const GraspingHand& hand = w.world.hand(Holder::OperatorHand);
-  hand.step(w.state, withGrip(sample, 0.9), w.state.master.base);
-  MotionSample lost = withGrip(sample, 0.9);  // the gate holds the last value and clears its bit
-  lost.valid = 0;
+  ASSERT_TRUE(hand.step(w.state, closed, w.state.master.base));
+  reading.si[index(Dof::Grip)] = 0.0;
+  reading.valid = kAllDofs & ~mask(Dof::Grip);
+  const MotionSample lost = gate.admit(reading, 2, 1'000'000'000);
+  ASSERT_FALSE(lost.isValid(Dof::Grip));
   EXPECT_FALSE(hand.step(w.state, lost, w.state.master.base));
   EXPECT_EQ(w.state.movables[0].holder, Holder::OperatorHand);
+  reading.valid = kAllDofs;
+  EXPECT_TRUE(hand.step(w.state, gate.admit(reading, 3, 2'000'000'000), w.state.master.base)) << "it opens";
 }
 
 TEST(Hands, WorkAlikeAtTheEndOfTheWorld) {

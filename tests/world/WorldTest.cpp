@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "common/world/Scatter.h"
 #include "common/world/Snapshot.h"
 #include "tests/math/Random.h"
 #include "tests/world/Support.h"
@@ -92,14 +93,21 @@ TEST(World, TheTasksClockRunsFromTheFirstMotionOfTheStickToTheTower) {
   EXPECT_EQ(state.task.done_tick, done);
 }
 
+TEST(World, TheTasksClockStartsWhereThereIsNothingToGrasp) {
+  const World world(plane());
+  WorldState state = world.initialState();
+  run(world, state, driving({.y = 1.0}), 3);
+  EXPECT_EQ(state.task.started_tick, 1U);
+}
+
 TEST(World, ScattersClearOfOneAnotherAndWithinTheArea) {
   const World world(tableWorld(3));
   const ScatterArea area{-0.3, 0.3, -0.95, -0.55};
   for (std::uint64_t seed = 1; seed < 200; ++seed) {
     WorldState state = world.initialState();
-    world.scatter(state, area, seed);
+    scatter(state, world.model(), area, seed);
     WorldState again = world.initialState();
-    world.scatter(again, area, seed);
+    scatter(again, world.model(), area, seed);
     ASSERT_EQ(state, again);
     run(world, state, driving({}), 20);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -110,7 +118,34 @@ TEST(World, ScattersClearOfOneAnotherAndWithinTheArea) {
     }
   }
   WorldState state = world.initialState();
-  EXPECT_THROW(world.scatter(state, {0.0, 0.01, -0.7, -0.69}, 1), std::invalid_argument);
+  EXPECT_THROW(scatter(state, world.model(), {0.0, 0.01, -0.7, -0.69}, 1), std::invalid_argument);
+}
+
+TEST(World, ScattersOntoWhatCarriesAndIntoNothing) {
+  WorldModel model = tableWorld(3);
+  model.solids.push_back(
+      box(0.15, -0.75, 0.3, 0.4, kTableTop, kTableTop + 0.3));  // on the table's right half
+  const World world(model);
+  for (std::uint64_t seed = 1; seed < 50; ++seed) {
+    WorldState state = world.initialState();
+    scatter(state, model, {-0.4, 0.4, -0.95, -0.55}, seed);
+    for (const Movable& m : state.movables) {
+      const Coord3 at = place(m);
+      ASSERT_FALSE(at.x > kEdge / -2 && at.x < 0.3 + kEdge / 2 && at.z > -0.95 - kEdge / 2 && at.z < -0.55)
+          << at.x << ", " << at.z;
+    }
+  }
+  const auto refusal = [&](const ScatterArea& area) {
+    WorldState state = world.initialState();
+    try {
+      scatter(state, model, area, 1);
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal({5e8, 5e8 + 1, 0, 1}).find("'block'"), std::string::npos) << "where nothing carries";
+  EXPECT_NE(refusal({0.03, 0.27, -0.9, -0.6}).find("in the way"), std::string::npos);
 }
 
 /// Everything at once: sticks, arms and grips as if shaken.
@@ -145,7 +180,7 @@ TEST(World, ASnapshotInTheMiddleChangesNothing) {
     if (i % 200 == 100) a.mode = b.mode = i % 400 == 100 ? Mode::Robot : Mode::Operator;
     world.step(a, through.next(), kMillisecond);
     world.step(b, interrupted.next(), kMillisecond);
-    if (i % 37 == 0) b = restore(snapshot(b));
+    if (i % 37 == 0) b = restore(snapshot(b), world);
   }
   EXPECT_EQ(a, b);
 }

@@ -17,15 +17,20 @@ constexpr double kHoldingGrip = 0.72;
 constexpr double kGraspWidth = 0.02;               // m, how exactly a grasp or a placing is aimed
 constexpr double kTransitWidth = 0.06;             // and what lies on the way
 constexpr double kLift = 0.10;                     // m, above what is taken or put down
+constexpr double kLeastLift = 0.02;                // of which there always is some
 constexpr double kLetGoAbove = 0.003;              // m, a block is let go over what it is put on
-constexpr double kReach = 0.95;                    // m from the base, of somebody who leans
-constexpr Coord3 kComfortable{0.12, 0.75, -0.65};  // m, body: where the right hand works best
+constexpr Coord3 kComfortable{0.19, 1.17, -1.02};  // arm's lengths, body: where the right hand works best
+constexpr double kNear = 1.5;                      // m: what lies farther from the workplace is no work
 constexpr double kFixation = 0.35;                 // s, the shortest look
 
 }  // namespace
 
 Operator::Operator(const OperatorTask& task, const Rig& rig, std::uint64_t seed)
-    : task_(task), chance_(seed), arm_(rig), workplan_(task.edges) {
+    : task_(task),
+      chance_(seed),
+      arm_(rig),
+      seating_(arm_.planner(), task.grasp_point),
+      workplan_(task.edges) {
   next_act_at_ = chance_.between(0.3, 0.8);
 }
 
@@ -34,6 +39,7 @@ void Operator::advance(double time_s, const WorldState& world, const TransformMa
   if (begun_ && world.mode != world_.mode) {  // somebody else now: whatever was planned is of no use
     agenda_.clear();
     driver_.letGo();
+    seat_.reset();
     gave_up_ = false;
   }
   begun_ = true;
@@ -50,12 +56,13 @@ void Operator::advance(double time_s, const WorldState& world, const TransformMa
 }
 
 void Operator::planNext() {
+  if (!seat_) seat_ = chosenSeat();
   if (!looked_round_) {
     looked_round_ = true;
     planGlance();
     planGlance();
   } else if (!atWorkplace() && !gave_up_) {
-    planDrive(driveGoal(workplace()));
+    planDrive(driveGoal(*seat_));
   } else if (pieces_left_ == 0) {
     pieces_left_ = 4 + static_cast<int>(chance_.below(5));
     planExcursion();
@@ -71,8 +78,9 @@ void Operator::planWork() {
     return planPride();
   }
   const Embodied me = body();
+  const auto reaches = [&](const Coord3& place) { return seating_.reaches(place, me.base, me.scale); };
   const auto transfer =
-      workplan_.next(world_, me.toWorld({}), kReach * me.scale, me.toWorld(kComfortable), chance_);
+      workplan_.next(world_, reaches, me.toWorld(kComfortable * arm_.planner().armLength()), chance_);
   if (transfer) {
     planTransfer(*transfer);
   } else {
@@ -116,14 +124,15 @@ void Operator::lookWhereDriving(double time_s) {
 }
 
 void Operator::planExcursion() {
-  DriveGoal aside = driveGoal(workplace());
+  seat_ = chosenSeat();
+  DriveGoal aside = driveGoal(*seat_);
   const double back = chance_.between(0.4, 0.8);
   aside.x += back * std::sin(aside.heading);
   aside.z += back * std::cos(aside.heading);
   aside.heading += chance_.between(-0.4, 0.4);
   planDrive(aside);
   planGlance();
-  planDrive(driveGoal(workplace()));
+  planDrive(driveGoal(*seat_));
 }
 
 void Operator::look(const Coord3& point_world) {
@@ -134,10 +143,10 @@ void Operator::look(const Coord3& point_world) {
   });
 }
 
-void Operator::reach(const std::function<Coord3()>& palm_body, double width_m) {
+void Operator::reach(const std::function<Aim()>& aim, double width_m) {
   agenda_.push_back([=, this](double t) {
-    aimed_ = palm_body();
-    return arm_.reachTo(*aimed_, width_m, t, chance_);
+    aimed_ = aim();
+    return arm_.reachTo(arm_.planner().palmFor(aimed_->place, aimed_->in_hand), width_m, t, chance_);
   });
 }
 
@@ -148,38 +157,48 @@ void Operator::grip(double wished, double takes_s, double wait_s) {
   });
 }
 
-/// How far the palm is from where the last reach was aimed: seen, and made up for in the next one.
+/// How far what was aimed in the last reach is from its place: seen, and made up for in the next one.
 Coord3 Operator::strayed() const {
-  return aimed_ ? felt_.point({arm_.planner().body().rig().hand, 0.0, 0.0}) - *aimed_ : Coord3{};
+  return aimed_ ? felt_.point(aimed_->in_hand + palm()) - aimed_->place : Coord3{};
 }
 
-/// Where the palm must be for the hand to close upon something there.
-Coord3 Operator::palmOnto(const Coord3& block_world) const {
-  return arm_.planner().palmFor(body().toBody(block_world), task_.grasp_point) - strayed();
+/// The hand is to close upon something there.
+Operator::Aim Operator::onto(const Coord3& block_world) const {
+  return {body().toBody(block_world) - strayed(), task_.grasp_point};
 }
 
-/// Where the palm must be for the block it holds to be there; it is seen how it lies in the hand.
-Coord3 Operator::palmCarrying(std::size_t block, const Coord3& to_world) const {
-  if (!holds(block)) return palmOnto(to_world);  // it has been lost on the way
+/// The block it holds is to be there; it is seen how it lies in the hand.
+Operator::Aim Operator::carrying(std::size_t block, const Coord3& to_world) const {
+  if (!holds(block)) return onto(to_world);  // it has been lost on the way
   const Embodied me = body();
-  const double palm = arm_.planner().body().rig().hand;
-  const Coord3 in_hand = transform(world_.movables[block]).origin() / me.scale - Coord3{palm, 0.0, 0.0};
-  return arm_.planner().palmFor(me.toBody(to_world), in_hand) - strayed();
+  return {me.toBody(to_world) - strayed(), transform(world_.movables[block]).origin() / me.scale - palm()};
+}
+
+/// Middle of the palm in the hand's frame.
+Coord3 Operator::palm() const {
+  return {arm_.planner().body().rig().hand, 0.0, 0.0};
 }
 
 bool Operator::holds(std::size_t block) const {
   return world_.movables[block].holder == body().hand;
 }
 
+/// So much above a place, or as high as the hand gets there.
+Coord3 Operator::above(const Coord3& place_world, double lift_m) const {
+  const Embodied me = body();
+  while (lift_m > kLeastLift && !seating_.gets(place_world + Coord3{0.0, lift_m, 0.0}, me.base, me.scale))
+    lift_m -= kLeastLift;
+  return place_world + Coord3{0.0, lift_m, 0.0};
+}
+
 void Operator::planTransfer(const Transfer& transfer) {
   const std::size_t block = transfer.block;
   const Coord3 from = transform(world_.movables[block]).origin();
-  const Coord3 over{0.0, kLift, 0.0};
   look(from);
   grip(kOpenGrip, 0.45, 0.0);  // the hand opens on its way
   aimed_.reset();
-  reach([=, this] { return palmOnto(from + over * 0.5); }, kTransitWidth);
-  reach([=, this] { return palmOnto(transform(world_.movables[block]).origin()); }, kGraspWidth);
+  reach([=, this] { return onto(above(from, 0.5 * kLift)); }, kTransitWidth);
+  reach([=, this] { return onto(transform(world_.movables[block]).origin()); }, kGraspWidth);
   grip(kHoldingGrip, 0.25, 0.40);
   // Whoever sees that the hand has closed on nothing thinks again.
   agenda_.push_back([=, this](double) {
@@ -188,17 +207,13 @@ void Operator::planTransfer(const Transfer& transfer) {
       planRest();
       return 0.0;
     }
-    reach([=, this] { return palmCarrying(block, from + over); }, kTransitWidth);
+    reach([=, this] { return carrying(block, above(from, kLift)); }, kTransitWidth);
     look(transfer.to);
-    reach([=, this] { return palmCarrying(block, transfer.to + over); }, kGraspWidth);
-    reach([=, this] { return palmCarrying(block, transfer.to + Coord3{0.0, 0.03, 0.0}); }, kGraspWidth);
-    reach(
-        [=, this] {
-          return palmCarrying(block, transfer.to + Coord3{0.0, kLetGoAbove, 0.0});
-        },
-        kGraspWidth);
+    reach([=, this] { return carrying(block, above(transfer.to, kLift)); }, kGraspWidth);
+    reach([=, this] { return carrying(block, transfer.to + Coord3{0.0, 0.03, 0.0}); }, kGraspWidth);
+    reach([=, this] { return carrying(block, transfer.to + Coord3{0.0, kLetGoAbove, 0.0}); }, kGraspWidth);
     grip(kOpenGrip, 0.3, 0.45);
-    reach([=, this] { return palmOnto(transfer.to + over); }, kTransitWidth);
+    reach([=, this] { return onto(above(transfer.to, kLift)); }, kTransitWidth);
     if (chance_.happens(0.25)) planRest();
     return 0.0;
   });
@@ -206,10 +221,9 @@ void Operator::planTransfer(const Transfer& transfer) {
 
 void Operator::planTouch() {
   const Coord3 target = task_.targets[chance_.below(task_.targets.size())];
-  const auto palm = [=, this] { return body().toBody(target); };
   look(target);
   grip(kOpenGrip, 0.45, 0.0);
-  reach(palm, kGraspWidth);
+  reach([=, this] { return Aim{body().toBody(target), {}}; }, kGraspWidth);
   grip(kHoldingGrip, 0.25, 0.35);
   grip(kOpenGrip, 0.25, 0.35);
   if (chance_.happens(0.5)) planRest();
@@ -246,13 +260,20 @@ double Operator::lookAt(const Coord3& point_body, double time_s) {
   return gaze_.shift(arm_.planner().body().facing(point_body, arm_.at(time_s).lean), time_s, chance_);
 }
 
-const BasePose& Operator::workplace() const {
-  return world_.mode == Mode::Robot ? task_.robot_workplace : task_.workplace;
+BasePose Operator::chosenSeat() const {
+  const BasePose& workplace = world_.mode == Mode::Robot ? task_.robot_workplace : task_.workplace;
+  std::vector<Coord3> things;
+  for (const Movable& m : world_.movables) {
+    const Coord3 at = transform(m).origin();
+    if (m.holder == Holder::Nobody && at.y > kLowestWork && norm(at - transform(workplace).origin()) < kNear)
+      things.push_back(at);
+  }
+  return seating_.place(workplace, things, body().scale);
 }
 
 bool Operator::atWorkplace() const {
   const DriveGoal here = driveGoal(world_.driven().base);
-  const DriveGoal there = driveGoal(workplace());
+  const DriveGoal there = driveGoal(*seat_);
   return std::hypot(there.x - here.x, there.z - here.z) < 0.05 &&
          std::abs(std::remainder(there.heading - here.heading, kTurn)) < 0.08;
 }

@@ -10,20 +10,12 @@
 #include "motion_server/device/simulated/Driver.h"
 #include "motion_server/device/simulated/Embodied.h"
 #include "motion_server/device/simulated/Gaze.h"
+#include "motion_server/device/simulated/OperatorTask.h"
+#include "motion_server/device/simulated/Seating.h"
 #include "motion_server/device/simulated/Variation.h"
 #include "motion_server/device/simulated/Workplan.h"
 
 namespace coherency {
-
-/// What the simulated operator has to do; all in world coordinates.
-struct OperatorTask {
-  std::vector<double> edges;    ///< of the movables there are, m
-  std::vector<Coord3> targets;  ///< where to put a hand when there is nothing to build with (Scene::targets)
-  BasePose workplace;           ///< where the base should be to reach them
-  BasePose robot_workplace;     ///< and the robot's
-  double robot_scale = 1.0;
-  Coord3 grasp_point;  ///< of what a hand grasps best, from the middle of the palm in the hand's axes, m
-};
 
 /// Decides what to do next and sets gaze, arm and driver going: an agenda of acts, each of which starts
 /// something and says how long to wait for the next. An empty agenda is filled with the next piece of
@@ -53,17 +45,24 @@ class Operator {
   void planRest();
 
   void look(const Coord3& point_world);
-  void reach(const std::function<Coord3()>& palm_body, double width_m);
+  /// A reach brings what is `in_hand` (m, the hand's axes, from the middle of the palm) to `place` (body).
+  struct Aim {
+    Coord3 place;
+    Coord3 in_hand;
+  };
+  void reach(const std::function<Aim()>& aim, double width_m);
   void grip(double wished, double takes_s, double wait_s);
   Coord3 strayed() const;
-  Coord3 palmOnto(const Coord3& block_world) const;
-  Coord3 palmCarrying(std::size_t block, const Coord3& to_world) const;
+  Aim onto(const Coord3& block_world) const;
+  Aim carrying(std::size_t block, const Coord3& to_world) const;
+  Coord3 palm() const;
+  Coord3 above(const Coord3& place_world, double lift_m) const;
   bool holds(std::size_t block) const;
 
   double steer(double time_s);
   void lookWhereDriving(double time_s);
   double lookAt(const Coord3& point_body, double time_s);
-  const BasePose& workplace() const;
+  BasePose chosenSeat() const;
   bool atWorkplace() const;
   Embodied body() const { return {world_, task_.robot_scale}; }
 
@@ -72,6 +71,7 @@ class Operator {
   Gaze gaze_;
   Arm arm_;
   Driver driver_;
+  Seating seating_;
   Workplan workplan_;
   WorldState world_;
   TransformMatrix felt_;
@@ -80,8 +80,9 @@ class Operator {
   double next_act_at_ = 0.0;
   double next_glance_at_ = 0.0;
   double give_up_at_ = 0.0;
+  std::optional<BasePose> seat_;  // where to work
   DriveGoal goal_;
-  std::optional<Coord3> aimed_;  // where the last reach of this transfer was to bring the palm, body
+  std::optional<Aim> aimed_;  // by the last reach of this transfer
   bool begun_ = false;
   bool gave_up_ = false;  // the workplace could not be reached: work from here
   bool looked_round_ = false;

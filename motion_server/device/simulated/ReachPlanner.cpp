@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "motion_server/device/simulated/Variation.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr int kSteps = 8;               // poses a reach is planned through
 constexpr double kComfortable = 0.88;   // of the straight arm
-constexpr double kFarthestLean = 0.85;  // rad
+constexpr double kFarthestLean = 1.05;  // rad
 constexpr double kLeanStep = 0.025;
 constexpr double kSideShare = 0.5;  // one leans less to the side than ahead
 constexpr double kHandDown = 0.35;  // rad, fingers below the horizontal when grasping
@@ -80,22 +81,31 @@ TransformMatrix ReachPlanner::hand(const ReachPose& pose) const {
   return body_.shoulder(pose.lean) * arm_.pose(pose.joints).t_shoulder_hand;
 }
 
+double ReachPlanner::armLength() const {
+  const Rig& rig = body_.rig();
+  return rig.upper_arm + rig.forearm + rig.hand;
+}
+
 Quaternion ReachPlanner::attitudeAt(const Coord3& palm) const {
   return grasp(palm - body_.shoulder(leanFor(palm)).origin());
 }
 
+double ReachPlanner::stretch(const Coord3& palm) const {
+  return norm(palm - body_.shoulder(leanFor(palm)).origin()) / armLength();
+}
+
 Lean ReachPlanner::leanFor(const Coord3& palm) const {
-  const Rig& rig = body_.rig();
-  const double comfortable = kComfortable * (rig.upper_arm + rig.forearm + rig.hand);
+  const double comfortable = kComfortable * armLength();
   const double azimuth = std::atan2(palm.x, -palm.z);
-  Lean lean = rest_.lean;
+  Lean best = rest_.lean;
+  double least = std::numeric_limits<double>::infinity();
   const int steps = static_cast<int>((kFarthestLean - kRestLean) / kLeanStep);
-  for (int i = 0; i <= steps; ++i) {
+  for (int i = 0; i <= steps && least > comfortable; ++i) {
     const double angle = kRestLean + i * kLeanStep;
-    lean = {angle * std::cos(azimuth), kSideShare * angle * std::sin(azimuth)};
-    if (norm(palm - body_.shoulder(lean).origin()) <= comfortable) break;
+    const Lean lean{angle * std::cos(azimuth), kSideShare * angle * std::sin(azimuth)};
+    if (const double far = norm(palm - body_.shoulder(lean).origin()); far < least) least = far, best = lean;
   }
-  return lean;
+  return best;
 }
 
 ReachPlanner::Waypoint ReachPlanner::waypoint(const ReachPose& pose) const {

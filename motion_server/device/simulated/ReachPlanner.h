@@ -42,9 +42,15 @@ class ReachPlanner {
   /// T_body_hand.
   TransformMatrix hand(const ReachPose& pose) const;
 
+  /// How far the arm is stretched when the palm is there and the trunk leans as it does: the palm's distance
+  /// from the shoulder over the straight arm's length. Beyond 1 it is out of reach.
+  double stretch(const Coord3& palm) const;
+
   ReachPose rest() const { return rest_; }
   Coord3 palm(const ReachPose& pose) const;  ///< body frame
   const SeatedBody& body() const { return body_; }
+  /// Straight, from the shoulder to the middle of the palm, m.
+  double armLength() const;
 
   /// Fitts' law (Shannon form): seconds for a movement of `distance_m` that ends within `width_m`.
   static double duration(double distance_m, double width_m);

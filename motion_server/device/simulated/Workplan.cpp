@@ -8,7 +8,6 @@ namespace coherency {
 namespace {
 
 constexpr std::size_t kTower = 3;    // blocks of one
-constexpr double kLowest = 0.4;      // m; what lies lower is not bent down for
 constexpr double kAtHome = 0.04;     // m, near enough to where it was
 constexpr double kSameLevel = 2e-3;  // m
 
@@ -46,13 +45,13 @@ std::vector<std::size_t> Workplan::tower(const WorldState& world, std::size_t bo
   return stack;
 }
 
-std::optional<Transfer> Workplan::next(const WorldState& world, const Coord3& base, double reach,
+std::optional<Transfer> Workplan::next(const WorldState& world, const Reaches& reaches,
                                        const Coord3& comfortable, Chance& chance) {
   std::vector<std::size_t> usable;
   for (std::size_t i = 0; i < world.movables.size(); ++i) {
     const Movable& m = world.movables[i];
     const bool free = m.holder == Holder::Nobody && m.resting;
-    if (free && place(m).y > kLowest && apart(place(m), base) < reach) usable.push_back(i);
+    if (free && place(m).y > kLowestWork && reaches(place(m))) usable.push_back(i);
   }
   if (usable.size() < kTower) return std::nullopt;
   if (building_) {

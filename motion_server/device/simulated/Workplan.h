@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "motion_server/device/simulated/Variation.h"
 
 namespace coherency {
+
+/// What lies lower is not bent down for, m.
+inline constexpr double kLowestWork = 0.4;
 
 /// One block to be taken somewhere.
 struct Transfer {
@@ -23,10 +27,13 @@ class Workplan {
   /// `edges`: of the movables, m.
   explicit Workplan(std::vector<double> edges) : edges_(std::move(edges)) {}
 
-  /// Nothing to do: fewer than three blocks are within `reach` metres of `base` (seen from above) and none is
-  /// out of place. Of several places to build at the one nearest to `comfortable` is taken.
-  std::optional<Transfer> next(const WorldState& world, const Coord3& base, double reach,
-                               const Coord3& comfortable, Chance& chance);
+  /// Whether a block there (m, world) can be had.
+  using Reaches = std::function<bool(const Coord3&)>;
+
+  /// Nothing to do: fewer than three blocks are within reach and none is out of place. Of several places to
+  /// build at the one nearest to `comfortable` is taken.
+  std::optional<Transfer> next(const WorldState& world, const Reaches& reaches, const Coord3& comfortable,
+                               Chance& chance);
 
   /// Takes note where the blocks are before anything is done to them.
   void remember(const WorldState& world);
