@@ -5,6 +5,8 @@
 #include <string>
 #include <type_traits>
 
+#include "common/world/StateFields.h"
+
 namespace coherency {
 
 namespace {

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "common/math/FixedPoint.h"
+#include "common/world/StateFields.h"
 
 namespace coherency {
 

@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "common/world/Snapshot.h"
+#include "common/world/StateFields.h"
 #include "tests/world/Generators.h"
 
 namespace coherency {

@@ -11,6 +11,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "common/math/FixedPoint.h"
+#include "common/world/StateFields.h"
 #include "tests/world/Generators.h"
 
 namespace coherency {
