@@ -34,7 +34,7 @@ void FixedPass::begin(const CompiledScene& scene, const Coord3& eye, std::size_t
   seen_.clear();
   spheres_.findSeen(views, seen_);
   order_.clear();
-  for (const std::uint32_t i : seen_) order_.add(i, distance(boxes_[i], eye));
+  for (const std::uint32_t i : seen_) order_.add(i, farthest(boxes_[i], eye));
   order_.sort();
   plain_.clear();
   shaded_.clear();

@@ -48,7 +48,7 @@ void MovingPass::begin(const CompiledScene& scene, const LampSets& lamps, const 
   for (std::size_t i = 0; i < drawables.size(); ++i)
     if (std::abs(handedness(scene.worldTransform(drawables[i]))) >= kFlat &&
         views.sees(scene.worldSphere(drawables[i])) != InView::None)
-      order_.add(i, distance(worldBox(scene, drawables[i]), eye));
+      order_.add(i, farthest(worldBox(scene, drawables[i]), eye));
   order_.sort();
   commands_.clear();
   for (const NearestFirst::Shown& shown : order_.shown()) {

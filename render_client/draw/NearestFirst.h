@@ -10,7 +10,7 @@ class NearestFirst {
  public:
   struct Shown {
     std::size_t number;  ///< its place in its Surfaces
-    double distance;     ///< m, of its box from the eye
+    double distance;     ///< m, of its box's farthest corner from the eye
   };
 
   explicit NearestFirst(std::size_t capacity) { shown_.reserve(capacity); }

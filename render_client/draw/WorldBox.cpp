@@ -14,9 +14,8 @@ WorldBox worldBox(const CompiledScene& scene, const Drawable& drawable) {
   return {middle - reach, middle + reach};
 }
 
-double distance(const WorldBox& box, const Coord3& point) {
-  const glm::dvec3 away = glm::max((box.low - point).glm(), (point - box.high).glm());
-  return glm::length(glm::max(away, glm::dvec3(0.0)));
+double farthest(const WorldBox& box, const Coord3& point) {
+  return glm::length(glm::max(glm::abs((box.low - point).glm()), glm::abs((box.high - point).glm())));
 }
 
 bool overlapFromAbove(const WorldBox& a, const WorldBox& b) {

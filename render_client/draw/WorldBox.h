@@ -12,8 +12,8 @@ struct WorldBox {
 
 /// About all of a drawable as the scene now stands.
 WorldBox worldBox(const CompiledScene& scene, const Drawable& drawable);
-/// 0 inside.
-double distance(const WorldBox& box, const Coord3& point);
+/// Of the corner that is farthest from the point: a room's walls are farther than what stands before them.
+double farthest(const WorldBox& box, const Coord3& point);
 bool overlapFromAbove(const WorldBox& a, const WorldBox& b);
 
 /// Where a drawable's vertices are: T with the world's axes and its origin at `eye`. The two far positions
