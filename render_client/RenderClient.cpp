@@ -67,7 +67,7 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
       started_(now()),
       link_({options.server.host, options.server.port, options.eye}, clock),
       eyes_(eyeChoice(options.eye)),
-      overlay_(fmt::format("{}:{}", options.server.host, options.server.port), started_) {
+      overlay_(describe(options.server), started_) {
   if (!options.snapshot_dir.empty()) checkFolder(options.snapshot_dir);
   const double wait_s =
       options.duration_s > 0.0 ? std::min(options.wait_s, options.duration_s) : options.wait_s;
@@ -84,9 +84,9 @@ void RenderClient::awaitMotion(ClientTime deadline) {
   const auto newest = link_.newest();
   if (!newest)
     throw std::runtime_error(
-        fmt::format("{0}:{1} welcomed this client over TCP, but no motion came over UDP: let UDP port "
-                    "{1} through every firewall between the two machines",
-                    options_.server.host, options_.server.port));
+        fmt::format("{} welcomed this client over TCP, but no motion came over UDP: let UDP port {} through "
+                    "every firewall between the two machines",
+                    describe(options_.server), options_.server.port));
   newest_arrived_ = newest->arrived;
 }
 
@@ -108,12 +108,13 @@ void RenderClient::planPictures() {
 void RenderClient::keepPlanned() {
   std::vector<std::uint64_t> ticks;
   for (const PlannedPicture& picture : planned_) ticks.push_back(gridTick(picture.session_s));
-  link_.keepTicks(ticks);
+  link_.keepFirstFrom(ticks);
 }
 
 void RenderClient::buildWorld(const SessionConfig& session) {
   renderer_.reset();  // the renderer holds on to the old replica's scene
   replica_.emplace(session);
+  views_.clear();
   const int width = display_->hasWindow() ? display_->width() : options_.width * eyeCount(eyes_);
   const int height = display_->hasWindow() ? display_->height() : options_.height;
   renderer_.emplace(replica_->scene(), width, height, RendererSettings{.samples = options_.samples});
@@ -148,9 +149,19 @@ std::uint64_t RenderClient::gridTick(double session_s) const {
   return static_cast<std::uint64_t>(std::ceil(session_s / frame_s)) * frame_ticks_;
 }
 
-/// The pose of the next frame on the grid; where none comes in time, the newest there is. A picture asked for
-/// is of exactly its tick, however slow this machine is, so that both eyes' pictures are of one moment; where
-/// the packet with it was lost there is no such picture.
+/// The pose of the next picture that was asked for: of the first packet from its moment on, however slow this
+/// machine is, so that both eyes' pictures are of one moment. None until a frame later, when what came in
+/// another order has come.
+std::optional<ReceivedPacket> RenderClient::plannedPose() const {
+  const auto newest = link_.newest();
+  if (planned_.empty() || !newest) return std::nullopt;
+  const std::uint64_t tick = gridTick(planned_.front().session_s);
+  const auto first = link_.firstFrom(tick);
+  const bool none_before = first && first->packet.world.tick == tick;
+  return none_before || newest->packet.world.tick >= tick + frame_ticks_ ? first : std::nullopt;
+}
+
+/// The pose of the next frame on the grid; where none comes in time, the newest there is.
 std::optional<ReceivedPacket> RenderClient::awaitPose() const {
   const auto latestOnGrid = [&](const ReceivedPacket& newest) {
     return newest.packet.world.tick / frame_ticks_ * frame_ticks_;
@@ -162,14 +173,6 @@ std::optional<ReceivedPacket> RenderClient::awaitPose() const {
     link_.waitForTick(wanted, frame_ns + kPatienceNs);
     newest = link_.newest();
     if (!newest) return std::nullopt;
-  }
-  if (!planned_.empty()) {
-    const std::uint64_t tick = gridTick(planned_.front().session_s);
-    if (auto picture = link_.atTick(tick)) return picture;
-    if (newest->packet.world.tick >= tick + frame_ticks_)
-      throw std::runtime_error(fmt::format(
-          "--snapshot-at {}: the packet of that moment, tick {}, did not come; take the picture again",
-          planned_.front().session_s, tick));
   }
   const auto on_grid = link_.atTick(latestOnGrid(*newest));
   return on_grid ? on_grid : newest;
@@ -187,22 +190,23 @@ void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) 
     }
     handleInput();
     followSession();
-    if (const auto pose = awaitPose(); pose) drawFrame(*pose);
+    const auto picture = plannedPose();
+    if (const auto pose = picture ? picture : awaitPose(); pose) drawFrame(*pose, picture.has_value());
   }
   if (options_.snapshot_dir.empty()) return;
-  if (options_.snapshot_at_s.empty() && frames_ > 0) return writeLastPicture();
-  if (!planned_.empty() || frames_ == 0)
+  if (options_.snapshot_at_s.empty() && !views_.empty()) return writeLastPicture();
+  if (!planned_.empty() || views_.empty())
     throw std::runtime_error(
         fmt::format("no picture: the run ended at {:.1f} s of the session, before the moment asked for",
                     sessionSeconds(*replica_, drawn_tick_)));
 }
 
-void RenderClient::drawFrame(const ReceivedPacket& pose) {
+void RenderClient::drawFrame(const ReceivedPacket& pose, bool is_picture) {
   const ClientTime begun = now();
   newest_arrived_ = pose.arrived;
   const bool ours = pose.packet.session_id == replica_->session().session_id;
   if (!ours || !replica_->apply(pose.packet)) {  // never drawn wrong: the picture before it stays
-    if (ours && isPlanned(pose.packet.world.tick))
+    if (ours && is_picture)
       throw std::runtime_error(
           fmt::format("--snapshot-at {}: the packet of that moment does not agree with its own hash",
                       planned_.front().session_s));
@@ -214,7 +218,7 @@ void RenderClient::drawFrame(const ReceivedPacket& pose) {
   const int height = display_->hasWindow() ? display_->height() : options_.height;
   eyeViews(replica_->scene(), replica_->world().mode, options_.hmd, eyes_, width, height, views_);
   renderer_->draw(views_);
-  takeSnapshots();
+  takeSnapshots(is_picture);
   showText();
   if (display_->hasWindow()) renderer_->present(display_->width(), display_->height());
   display_->present();
@@ -235,8 +239,8 @@ void RenderClient::countFrame(const ReceivedPacket& pose, ClientTime begun, Clie
 }
 
 /// Before any text is drawn over the picture.
-void RenderClient::takeSnapshots() {
-  if (isPlanned(replica_->world().tick)) {
+void RenderClient::takeSnapshots(bool is_picture) {
+  if (is_picture) {
     writeSnapshot(planned_.front().name);
     planned_.pop_front();
     keepPlanned();

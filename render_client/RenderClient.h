@@ -45,13 +45,11 @@ class RenderClient {
   void layGrid();
   void followSession();
   std::optional<ReceivedPacket> awaitPose() const;
+  std::optional<ReceivedPacket> plannedPose() const;
   std::uint64_t gridTick(double session_s) const;
-  void drawFrame(const ReceivedPacket& pose);
-  bool isPlanned(std::uint64_t tick) const {
-    return !planned_.empty() && tick == gridTick(planned_.front().session_s);
-  }
+  void drawFrame(const ReceivedPacket& pose, bool is_picture);
   void countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented);
-  void takeSnapshots();
+  void takeSnapshots(bool is_picture);
   void showText();
   void handleInput();
   void switchMode();

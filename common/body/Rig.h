@@ -33,6 +33,7 @@ struct Rig {
   double shin = 0.42;
   double foot = 0.25;
   double robot_scale = 1.0;  ///< the slave robot's size over the operator's
+  bool operator==(const Rig&) const = default;
 };
 
 /// One row a measure: what configuration reads and refuses by.

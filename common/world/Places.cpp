@@ -103,6 +103,11 @@ bool begins(const WorldModel& model, const SolidBox& box) {
   return in(model.master) || (model.robot && in(*model.robot));
 }
 
+bool standsFree(const BasePose& base, const VehicleModel& vehicle, const WorldModel& model) {
+  const std::vector<std::int32_t> closed(model.doors.size(), 0);
+  return deepestContact(base, vehicle, {model.solids, model.doors, closed}, nullptr) <= kAllowed;
+}
+
 void checkPlaces(const WorldModel& model, const VehiclePlaces& master, const VehiclePlaces& robot) {
   std::vector<SolidBox> movables;
   for (const MovableModel& m : model.movables) movables.push_back(boxOf(m, m.start));

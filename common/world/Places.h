@@ -17,6 +17,9 @@ struct VehiclePlaces {
 /// begins there. `robot` counts only where the model has one.
 void checkPlaces(const WorldModel& model, const VehiclePlaces& master, const VehiclePlaces& robot);
 
+/// Whether a vehicle can stand there: in no wall, furniture or closed door; movables may be in its way.
+bool standsFree(const BasePose& base, const VehicleModel& vehicle, const WorldModel& model);
+
 /// What a movable takes up when its centre is there; the pose's heading turns it.
 SolidBox boxOf(const MovableModel& movable, const BasePose& centre);
 /// Whether a vehicle begins in it.

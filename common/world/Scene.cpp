@@ -67,19 +67,35 @@ MotionSample aroundHeld(const MotionSample& sample, const WorldState& state, Hol
   return shown;
 }
 
+/// Each measure may be in its range, and all together nothing that a body can have.
+const Rig& buildable(const Rig& rig) {
+  validate(rig);
+  try {
+    const VirtualHuman human(rig);
+    const SlaveRobot robot(robotRig(rig));
+  } catch (const std::invalid_argument& e) {
+    throw std::domain_error("rig '" + rig.name + "': no body has these measures together (" + e.what() +
+                            "); take proportions nearer to those of configs/rigs/default.toml");
+  }
+  return rig;
+}
+
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, const Rig& rig)
     : VRObject(description.name),
       description_(description),
-      rig_(rig),
+      rig_(buildable(rig)),
       human_(rig, description.operator_shown ? HumanShown::Whole : HumanShown::None) {
   addMember(&human_);
   Stage stage{rig_, human_};
   addObjects(stage);
   WorldModel model;
   model.driving = description.driving;
-  model.master = vehicle(masterFootprint(rig), rig, 1.0, description.start);
+  // Eyes alone, that stay where they are, take up no floor.
+  const bool takes_room = description.driving || description.operator_shown;
+  model.master =
+      vehicle(takes_room ? masterFootprint(rig) : std::vector<FootprintDisc>{}, rig, 1.0, description.start);
   if (description.robot) {
     robot_ = std::make_unique<SlaveRobot>(robotRig(rig));
     addMember(robot_.get());
@@ -120,6 +136,7 @@ void Scene::gather(WorldModel& model) {
   lights_ = std::move(found.lights);
   targets_ = std::move(found.targets);
   if (!found.ambients.empty()) ambient_ = found.ambients.front();
+  placeWork(model);
   checkPlaces(model, places(Mode::Operator), description_.robot ? places(Mode::Robot) : VehiclePlaces{});
   if (!description_.scatter) return;
   WorldState start = World(model).initialState();
@@ -140,13 +157,29 @@ const VRObject& Scene::hand(Mode mode) const {
   return mode == Mode::Robot && robot_ ? robot_->rightHand() : human_.rightHand();
 }
 
-BasePose Scene::workplace(Mode mode) const {
+/// A scene's workplaces are for bodies of the default rig's size. Others have their front as far from the
+/// table, and stand back from what their knees do not go under.
+void Scene::placeWork(const WorldModel& model) {
+  constexpr double kStep = 0.01;  // m
+  constexpr int kSteps = 150;
+  const auto fitted = [&](const BasePose& workplace, const VehicleModel& vehicle,
+                          const std::vector<FootprintDisc>& usual) {
+    if (rig_ == Rig{}) return workplace;
+    const BasePose nearest = movedAhead(workplace, front(usual) - front(vehicle.footprint));
+    for (int step = 0; step <= kSteps; ++step)
+      if (const BasePose base = movedAhead(nearest, -kStep * step); standsFree(base, vehicle, model))
+        return base;
+    return nearest;
+  };
   const Rig usual;
-  if (mode == Mode::Operator)
-    return movedAhead(description_.workplace, front(masterFootprint(usual)) - front(masterFootprint(rig_)));
-  assert(description_.robot);
-  return movedAhead(description_.robot->workplace,
-                    front(robotFootprint(usual)) - front(robotFootprint(robotRig(rig_))));
+  workplace_ = fitted(description_.workplace, model.master, masterFootprint(usual));
+  if (model.robot)
+    robot_workplace_ = fitted(description_.robot->workplace, *model.robot, robotFootprint(usual));
+}
+
+BasePose Scene::workplace(Mode mode) const {
+  assert(mode == Mode::Operator || description_.robot);
+  return mode == Mode::Operator ? workplace_ : robot_workplace_;
 }
 
 WorldState Scene::initialState(std::uint64_t seed) const {

@@ -63,10 +63,13 @@ class Scene : public VRObject {
  private:
   void addObjects(Stage& stage);
   void gather(WorldModel& model);
+  void placeWork(const WorldModel& model);
   VehiclePlaces places(Mode mode) const;
   void applyMovables(const WorldState& state);
 
   SceneDescription description_;
+  BasePose workplace_;
+  BasePose robot_workplace_;
   Rig rig_;
   VirtualHuman human_;
   std::unique_ptr<SlaveRobot> robot_;

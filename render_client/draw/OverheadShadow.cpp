@@ -19,8 +19,8 @@ constexpr double kBelow = 1.0;   // m below the vehicle's floor
 constexpr double kHeight = 5.0;  // m from there to the top
 constexpr double kAhead = 0.7;   // m
 constexpr double kOther = 0.9;   // m about the other vehicle, in which its shadow lies
-constexpr double kFull = 0.8;    // of a tile's half width; beyond, shadows fade. The shaders have the same
-constexpr double kSoft = 0.05;   // m, by which a shadow is wider than what casts it
+constexpr double kFull = 0.8;   // of a tile's half width; beyond, shadows fade, of what moves a little before
+constexpr double kSoft = 0.05;  // m, by which a shadow is wider than what casts it
 
 /// What OverheadShadow::mappingFrom() gives, from metres in the world's axes from the map's middle. Seen from
 /// above the second runs against z, so that fronts stay fronts.

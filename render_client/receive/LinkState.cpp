@@ -88,7 +88,9 @@ bool LinkState::on(MotionPacket& packet, ClientTime arrived) {
 void LinkState::remember(const MotionPacket& packet, ClientTime arrived, ClientTime decoded) {
   const ReceivedPacket received{
       {packet.session_id, packet.sample, packet.world, packet.hash, {}}, arrived, decoded};
-  if (const auto wanted = kept_.find(packet.world.tick); wanted != kept_.end()) wanted->second = received;
+  for (auto& [from, first] : kept_)
+    if (packet.world.tick >= from && (!first || packet.world.tick < first->packet.world.tick))
+      first = received;
   auto& recent = recent_[packet.world.tick % kRecentPackets];
   if (recent && recent->packet.world.tick >= packet.world.tick) return;  // late by a whole round
   recent = received;
@@ -131,12 +133,11 @@ std::optional<ReceivedPacket> LinkState::newest() const {
 
 std::optional<ReceivedPacket> LinkState::atTick(std::uint64_t tick) const {
   const std::lock_guard lock(mutex_);
-  if (const auto kept = kept_.find(tick); kept != kept_.end() && kept->second) return kept->second;
   const auto& recent = recent_[tick % kRecentPackets];
   return recent && recent->packet.world.tick == tick ? recent : std::nullopt;
 }
 
-void LinkState::keepTicks(const std::vector<std::uint64_t>& ticks) {
+void LinkState::keepFirstFrom(const std::vector<std::uint64_t>& ticks) {
   const std::lock_guard lock(mutex_);
   std::map<std::uint64_t, std::optional<ReceivedPacket>> kept;
   for (const std::uint64_t tick : ticks) {
@@ -144,6 +145,12 @@ void LinkState::keepTicks(const std::vector<std::uint64_t>& ticks) {
     kept[tick] = before == kept_.end() ? std::nullopt : before->second;
   }
   kept_ = std::move(kept);
+}
+
+std::optional<ReceivedPacket> LinkState::firstFrom(std::uint64_t tick) const {
+  const std::lock_guard lock(mutex_);
+  const auto kept = kept_.find(tick);
+  return kept == kept_.end() ? std::nullopt : kept->second;
 }
 
 bool LinkState::waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const {
@@ -183,7 +190,8 @@ LinkStats LinkState::stats() const {
 }
 
 std::string LinkState::where() const {
-  return config_.host + ":" + std::to_string(config_.port);
+  const bool v6 = config_.host.find(':') != std::string::npos;
+  return (v6 ? "[" + config_.host + "]:" : config_.host + ":") + std::to_string(config_.port);
 }
 
 }  // namespace coherency

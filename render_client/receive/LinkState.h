@@ -42,7 +42,8 @@ class LinkState {
   std::optional<SessionConfig> session() const;
   std::optional<ReceivedPacket> newest() const;
   std::optional<ReceivedPacket> atTick(std::uint64_t tick) const;
-  void keepTicks(const std::vector<std::uint64_t>& ticks);
+  void keepFirstFrom(const std::vector<std::uint64_t>& ticks);
+  std::optional<ReceivedPacket> firstFrom(std::uint64_t tick) const;
   bool waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const;
   void reportFrame(const FrameReport& frame);
   std::optional<ServerTime> toServer(ClientTime t) const;
@@ -66,7 +67,7 @@ class LinkState {
   std::optional<SessionConfig> session_;
   std::optional<ReceivedPacket> newest_;
   std::array<std::optional<ReceivedPacket>, kRecentPackets> recent_;  ///< by tick modulo their number
-  std::map<std::uint64_t, std::optional<ReceivedPacket>> kept_;       ///< by tick
+  std::map<std::uint64_t, std::optional<ReceivedPacket>> kept_;       ///< by the first tick that will do
   std::optional<std::string> refusal_;                                ///< final: coming again is useless
   std::string last_failure_ = "no answer yet";
   bool connected_ = false;

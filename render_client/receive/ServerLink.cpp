@@ -338,8 +338,11 @@ std::optional<ReceivedPacket> ServerLink::newest() const {
 std::optional<ReceivedPacket> ServerLink::atTick(std::uint64_t tick) const {
   return impl_->state().atTick(tick);
 }
-void ServerLink::keepTicks(const std::vector<std::uint64_t>& ticks) {
-  impl_->state().keepTicks(ticks);
+void ServerLink::keepFirstFrom(const std::vector<std::uint64_t>& ticks) {
+  impl_->state().keepFirstFrom(ticks);
+}
+std::optional<ReceivedPacket> ServerLink::firstFrom(std::uint64_t tick) const {
+  return impl_->state().firstFrom(tick);
 }
 bool ServerLink::waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const {
   return impl_->state().waitForTick(tick, timeout_ns);

@@ -56,11 +56,14 @@ class ServerLink {
 
   /// Newest packet of the session in force, if one came; does not consume it.
   std::optional<ReceivedPacket> newest() const;
-  /// The packet of exactly this tick, if it came and is among the last kRecentPackets or of a tick that was
-  /// to be kept; without redundant samples.
+  /// The packet of exactly this tick, if it came and is among the last kRecentPackets; without redundant
+  /// samples.
   std::optional<ReceivedPacket> atTick(std::uint64_t tick) const;
-  /// From now on packets of these ticks, and of no others, are kept until they are asked for, however late.
-  void keepTicks(const std::vector<std::uint64_t>& ticks);
+  /// From now on the first packet of each of these ticks or after it is kept, and of no others: a server that
+  /// was held up leaves ticks out, the same for all its clients.
+  void keepFirstFrom(const std::vector<std::uint64_t>& ticks);
+  /// The one that was kept, however long ago it came; none where nothing so late has come.
+  std::optional<ReceivedPacket> firstFrom(std::uint64_t tick) const;
   /// Blocks until a packet of this tick or a later one is there, or the time is over.
   bool waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const;
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/body/SlaveRobot.h"
 #include "common/body/VirtualHuman.h"
 #include "tests/human/Support.h"
 #include "tests/math/Random.h"
@@ -119,6 +120,19 @@ TEST(VirtualHuman, RefusesAnAbsurdRig) {
   rig = {};
   rig.eye_distance = 0.0;
   EXPECT_THROW(VirtualHuman{rig}, std::domain_error) << "two eyes never stand in one place";
+}
+
+TEST(Bodies, CanBeBuiltWithEachMeasureAtBothEndsOfItsRange) {
+  for (const RigField& field : rigFields())
+    for (const double end : {field.min, field.max}) {
+      Rig rig;
+      rig.*field.value = end;
+      EXPECT_NO_THROW({
+        const VirtualHuman human(rig);
+        const SlaveRobot robot(robotRig(rig));
+      }) << field.name
+         << " = " << end;
+    }
 }
 
 }  // namespace

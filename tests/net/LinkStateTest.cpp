@@ -82,22 +82,24 @@ TEST_F(LinkStateTest, OnlyTheLastTicksAreKept) {
   EXPECT_FALSE(link_.atTick(kRecentPackets));
 }
 
-TEST_F(LinkStateTest, WhatIsToBeKeptIsKeptUntilAskedForHoweverLate) {
+TEST_F(LinkStateTest, TheFirstPacketFromATickOnIsKeptUntilAskedForHoweverLate) {
   link_.welcomed(session(1));
-  link_.keepTicks({7, 9});
+  link_.keepFirstFrom({7, 9, 1'000'000});
+  const auto kept = [&](std::uint64_t tick) { return link_.firstFrom(tick)->packet.world.tick; };
   const std::uint64_t last = 5 * kRecentPackets;
   for (std::uint64_t s = 1; s <= last; ++s)
-    if (s != 9) receive(1, s);
-  ASSERT_TRUE(link_.atTick(7));
-  EXPECT_EQ(link_.atTick(7)->packet.sample.sequence, 7U);
-  EXPECT_FALSE(link_.atTick(9));  // it was lost
-  receive(1, 9);                  // or only late
-  EXPECT_TRUE(link_.atTick(9));
-  link_.keepTicks({9});
-  EXPECT_FALSE(link_.atTick(7));
-  EXPECT_TRUE(link_.atTick(9));
+    if (s < 9 || s > 11) receive(1, s);  // a server that was held up leaves ticks out
+  EXPECT_EQ(kept(7), 7U);
+  EXPECT_EQ(kept(9), 12U);
+  EXPECT_FALSE(link_.firstFrom(1'000'000));
+  EXPECT_FALSE(link_.firstFrom(8)) << "was not to be kept";
+  receive(1, 10);  // or it only came in another order
+  EXPECT_EQ(kept(9), 10U);
+  link_.keepFirstFrom({9});
+  EXPECT_FALSE(link_.firstFrom(7));
+  EXPECT_EQ(kept(9), 10U);
   link_.welcomed(session(2));
-  EXPECT_FALSE(link_.atTick(9));
+  EXPECT_FALSE(link_.firstFrom(9));
 }
 
 TEST_F(LinkStateTest, OtherSessionsAndNoiseAreRejected) {

@@ -90,6 +90,30 @@ TEST_F(Clip, LeavesThePictureOfWhatNeverMovesAsItIs) {
   }
 }
 
+TEST_F(Clip, LeavesShadowsAndLampsAsTheyAre) {
+  constexpr RendererSettings kShadows{.samples = 1, .shadow_resolution = 128};
+  RendererSettings all = kShadows;
+  all.clip = false;
+  TestScene scene;
+  scene.setAmbient({0.3, 0.3, 0.3}, {0.1, 0.1, 0.1});
+  for (const double x : {-2.0, 0.5, 3.0}) scene.addLight({{x, 2.0, -1.0}, {1.0, 1.0, 1.0}, 2.0});
+  scene.add<Box>({0.0, -1.05, 0.0}, matt(0.8, 0.8, 0.7), Coord3{12.0, 0.1, 12.0});
+  std::vector<VRObject*> blocks;
+  for (int i = 0; i < 8; ++i)
+    blocks.push_back(&scene.addMoving<Box>({}, matt(0.2 + 0.1 * i, 0.5, 0.4), Coord3{0.3, 0.3, 0.3}));
+  Renderer clipped(scene, scene.illumination(), kWidth, kHeight, kShadows);
+  Renderer whole(scene, scene.illumination(), kWidth, kHeight, all);
+  for (int i = 0; i < 300; ++i) {
+    for (VRObject* block : blocks)
+      block->setTransform(
+          TransformMatrix::translation({between(-4.0, 4.0), between(-0.9, 1.0), between(-4.0, 4.0)}));
+    EyeView view = anyView();
+    view.t_world_vehicle = TransformMatrix::translation({between(-1.0, 1.0), -1.0, between(-1.0, 1.0)});
+    view.t_world_other_vehicle = TransformMatrix::translation({between(-4.0, 4.0), -1.0, between(-4.0, 4.0)});
+    ASSERT_EQ(shareDiffering(picture(clipped, {&view, 1}), picture(whole, {&view, 1}), 0), 0.0) << i;
+  }
+}
+
 TEST_F(Clip, TwoViewsOfAFrameEachHaveWhatTheySee) {
   TestScene scene;
   scene.add<Box>({-5.0, 0.0, 0.0}, kRed, Coord3{1.0, 1.0, 1.0});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/config/TomlTable.h"
+#include "common/world/Places.h"
 #include "tests/scenes/Support.h"
 
 namespace coherency {
@@ -51,6 +52,60 @@ TEST(Refused, OneNameForTwo) {
 
 TEST(Refused, ATableInAWall) {
   expectRefused(placed("table", "second table", -3.2, 1.5), {"second table", "left wall", "mm"});
+}
+
+TEST(Refused, MeasuresThatNoBodyHasTogetherByTheRigsName) {
+  Rig rig;
+  rig.name = "spider";
+  rig.trunk_length = 0.411;
+  rig.shoulder_half_width = 0.111;
+  rig.shoulder_drop = 0.135;
+  rig.shoulder_tilt_up = -0.808;
+  rig.shoulder_tilt_back = 0.807;
+  rig.upper_arm = 0.208;
+  rig.forearm = 0.572;
+  rig.hand = 0.034;
+  rig.seat_height = 1.375;
+  rig.hip_half_width = 0.366;
+  rig.thigh = 0.369;
+  rig.shin = 0.626;
+  rig.robot_scale = 1.421;
+  try {
+    const Scene scene(described("look"), rig);
+    FAIL() << "it was accepted";
+  } catch (const std::domain_error& refused) {
+    EXPECT_NE(std::string(refused.what()).find("rig 'spider'"), std::string::npos) << refused.what();
+    EXPECT_NE(std::string(refused.what()).find("default.toml"), std::string::npos) << refused.what();
+  }
+}
+
+TEST(Accepted, EyesAloneBesideFurniture) {
+  SceneDescription description;
+  description.name = "only look";
+  description.operator_shown = false;
+  description.driving = false;
+  description.start = basePose(0.0, -0.7, 0.0);
+  description.objects = {placed("table", "table", 0.0, -1.2)};
+  EXPECT_NO_THROW(Scene(description, Rig{}));
+  description.operator_shown = true;
+  expectRefused(description, {"master system", "table", "start"});
+}
+
+TEST(Accepted, OperatorsWhoseKneesDoNotGoUnderTheTableStandBack) {
+  const Scene usual(described("laboratory"), Rig{});
+  const BasePose where_the_file_says = described("laboratory").workplace;
+  EXPECT_EQ(usual.workplace(Mode::Operator), where_the_file_says);
+  Rig high;
+  high.seat_height = 0.58;
+  Rig large;
+  for (const RigField& field : rigFields())
+    if (field.name != "robot_scale" && !field.name.starts_with("shoulder_tilt")) large.*field.value *= 1.15;
+  for (const Rig& rig : {high, large}) {
+    const Scene scene(described("laboratory"), rig);
+    const BasePose place = scene.workplace(Mode::Operator);
+    EXPECT_GT(place.z_nm, where_the_file_says.z_nm);
+    EXPECT_TRUE(standsFree(place, scene.world().model().master, scene.world().model()));
+  }
 }
 
 TEST(Refused, ABlockInTheTable) {

@@ -201,6 +201,38 @@ TEST(SimulatedMaster, SaysWhoCannotReachTheBlocks) {
   }
 }
 
+TEST(SimulatedMaster, DoesNotComplainOfABlockItHasNoUseFor) {
+  SceneDescription description = readScene("blocks", COHERENCY_CONFIGS "/scenes");
+  ObjectPlacement block;
+  block.kind = "block";
+  block.name = "block in the corner";
+  block.place = basePose(2.5, 1.0, 0.0);
+  block.place.y_nm = 30'000'000;
+  description.objects.push_back(block);
+  description.scatter.reset();
+  const Scene scene(description, Rig{});
+  EXPECT_TRUE(outOfReach(scene, scene.initialState()).empty());
+}
+
+TEST(SimulatedMaster, SitsDownWhereThereIsRoom) {
+  const Staged blocks("blocks");
+  const ReachPlanner planner{Rig{}};
+  const Seating seating(planner, blocks.task.grasp_point);
+  const BasePose& workplace = blocks.task.workplace;
+  const std::vector<Coord3> far_aside = {transform(workplace).point({-0.55, 0.76, -0.55})};
+  const auto aside = [&](bool clear) {
+    const BasePose seat = seating.place(workplace, far_aside, 1.0,
+                                        [&](const BasePose& base) { return clear || base == workplace; });
+    return transform(workplace).rigidInverse().point(transform(seat).origin()).x;
+  };
+  EXPECT_LT(aside(true), -0.1);
+  EXPECT_EQ(aside(false), 0.0) << "there is no room beside the workplace";
+  BasePose border = workplace;
+  border.x_nm = kWorldLimitNm;
+  EXPECT_NO_THROW(seating.place(border, {transform(border).point({0.5, 0.76, -0.5})}, 1.0,
+                                [](const BasePose&) { return true; }));
+}
+
 TEST(SimulatedMaster, BuildsAgainAndAgain) {
   const Staged blocks("blocks");
   SimulatedMaster master(blocks.task, Rig{}, 5);

@@ -20,7 +20,6 @@ constexpr double kLift = 0.10;                     // m, above what is taken or 
 constexpr double kLeastLift = 0.02;                // of which there always is some
 constexpr double kLetGoAbove = 0.003;              // m, a block is let go over what it is put on
 constexpr Coord3 kComfortable{0.19, 1.17, -1.02};  // arm's lengths, body: where the right hand works best
-constexpr double kNear = 1.5;                      // m: what lies farther from the workplace is no work
 constexpr double kFixation = 0.35;                 // s, the shortest look
 
 }  // namespace
@@ -262,13 +261,8 @@ double Operator::lookAt(const Coord3& point_body, double time_s) {
 
 BasePose Operator::chosenSeat() const {
   const BasePose& workplace = world_.mode == Mode::Robot ? task_.robot_workplace : task_.workplace;
-  std::vector<Coord3> things;
-  for (const Movable& m : world_.movables) {
-    const Coord3 at = transform(m).origin();
-    if (m.holder == Holder::Nobody && at.y > kLowestWork && norm(at - transform(workplace).origin()) < kNear)
-      things.push_back(at);
-  }
-  return seating_.place(workplace, things, body().scale);
+  const auto clear = [this](const BasePose& base) { return !task_.clear || task_.clear(base, world_.mode); };
+  return seating_.place(workplace, blocksNear(world_, workplace), body().scale, clear);
 }
 
 bool Operator::atWorkplace() const {

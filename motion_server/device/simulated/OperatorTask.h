@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,16 @@ struct OperatorTask {
   BasePose workplace;           ///< where the base should be to reach them
   BasePose robot_workplace;     ///< and the robot's
   double robot_scale = 1.0;
+  /// Whether a base can stand there in that mode; empty: everywhere.
+  std::function<bool(const BasePose&, Mode)> clear = {};
   Coord3 grasp_point;  ///< of what a hand grasps best, from the middle of the palm in the hand's axes, m
 };
 
-/// What there is to do in a scene.
+/// What there is to do in a scene, which outlives it.
 OperatorTask operatorTask(const Scene& scene);
+
+/// Of the movables nobody holds, those worth working with from a workplace: on a table, and not a walk away.
+std::vector<Coord3> blocksNear(const WorldState& state, const BasePose& workplace);
 
 /// One sentence for each body the operator can have that cannot do the task, as "the robot (scale 0.6) cannot
 /// reach the blocks from its workplace"; none where all can.

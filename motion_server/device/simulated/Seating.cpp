@@ -14,10 +14,10 @@ constexpr double kStep = 0.02;      // m
 constexpr int kSteps = 25;          // to each side
 
 BasePose aside(const BasePose& base, double right_m) {
-  const Coord3 to = transform(base).point({right_m, 0.0, 0.0});
-  BasePose moved = basePose(to.x, to.z, 0.0);
-  moved.y_nm = base.y_nm;
-  moved.heading_units = base.heading_units;
+  const Coord3 way = transform(base).vector({right_m, 0.0, 0.0});
+  BasePose moved = base;
+  moved.x_nm = movedBy(base.x_nm, way.x);
+  moved.z_nm = movedBy(base.z_nm, way.z);
   return moved;
 }
 
@@ -48,7 +48,8 @@ bool Seating::canBuild(const std::vector<Coord3>& blocks, const BasePose& base, 
          });
 }
 
-BasePose Seating::place(const BasePose& workplace, const std::vector<Coord3>& things, double scale) const {
+BasePose Seating::place(const BasePose& workplace, const std::vector<Coord3>& things, double scale,
+                        const std::function<bool(const BasePose&)>& clear) const {
   const auto worst = [&](const BasePose& base) {
     double most = kEasy;
     double easiest = things.empty() ? 0.0 : 9.0;
@@ -63,7 +64,7 @@ BasePose Seating::place(const BasePose& workplace, const std::vector<Coord3>& th
   for (int step = 1; step <= kSteps && least > kEasy; ++step)
     for (const double side : {-1.0, 1.0}) {
       const BasePose base = aside(workplace, side * step * kStep);
-      if (const double most = worst(base); most < least) least = most, best = base;
+      if (const double most = worst(base); most < least && clear(base)) least = most, best = base;
     }
   return best;
 }

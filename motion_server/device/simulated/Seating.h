@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "common/world/BasePose.h"
@@ -21,9 +22,10 @@ class Seating {
   bool reaches(const Coord3& thing, const BasePose& base, double scale) const;
   /// Whether it reaches all of them, and the top of a tower upon one.
   bool canBuild(const std::vector<Coord3>& blocks, const BasePose& base, double scale) const;
-  /// The place beside `workplace` from which none of the things needs more of a stretch than it must; the
-  /// workplace itself where all are near.
-  BasePose place(const BasePose& workplace, const std::vector<Coord3>& things, double scale) const;
+  /// The place beside `workplace` from which none of the things needs more of a stretch than it must, of
+  /// those that are clear; the workplace itself where all are near.
+  BasePose place(const BasePose& workplace, const std::vector<Coord3>& things, double scale,
+                 const std::function<bool(const BasePose&)>& clear) const;
 
  private:
   double stretch(const Coord3& place, const BasePose& base, double scale) const;
