@@ -13,21 +13,14 @@ constexpr std::array<Outline, 3> kWindows = {
     {{-3.00, -1.80, 0.95, 2.35}, {-1.65, -0.45, 0.95, 2.35}, {-0.30, 0.90, 0.95, 2.35}}};
 constexpr Outline kDoor = Door::opening(0.10);
 
-Wall::Form wall(std::uint32_t colour, std::vector<Outline> openings = {}) {
-  Wall::Form form{};
-  form.colour = colour;
-  form.openings = std::move(openings);
-  return form;
-}
-
 Shell::Form shell() {
   return {Laboratory::kWidth,
           Laboratory::kDepth,
           Laboratory::kHeight,
-          wall(finish::kSage, {kWindows.begin(), kWindows.end()}),
-          wall(finish::kWarmWhite),
-          wall(finish::kWarmWhite),
-          wall(finish::kWarmWhite, {kDoor})};
+          plainWall(finish::kSage, {kWindows.begin(), kWindows.end()}),
+          plainWall(finish::kWarmWhite),
+          plainWall(finish::kWarmWhite),
+          plainWall(finish::kWarmWhite, {kDoor})};
 }
 
 std::vector<Outline> windowsFromOutside() {

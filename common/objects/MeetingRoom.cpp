@@ -14,21 +14,14 @@ constexpr std::array<Outline, 3> kWindows = {
     {{-2.35, -0.95, 0.85, 2.20}, {-0.70, 0.70, 0.85, 2.20}, {0.95, 2.35, 0.85, 2.20}}};
 constexpr Outline kDoor = Door::opening(-1.46);
 
-Wall::Form wall(std::uint32_t colour, std::vector<Outline> openings = {}) {
-  Wall::Form form{};
-  form.colour = colour;
-  form.openings = std::move(openings);
-  return form;
-}
-
 Shell::Form shell() {
   return {MeetingRoom::kWidth,
           MeetingRoom::kDepth,
           MeetingRoom::kHeight,
-          wall(finish::kWarmWhite),
-          wall(finish::kWarmWhite, {kWindows.begin(), kWindows.end()}),
-          wall(finish::kBlueGrey),
-          wall(finish::kWarmWhite, {kDoor})};
+          plainWall(finish::kWarmWhite),
+          plainWall(finish::kWarmWhite, {kWindows.begin(), kWindows.end()}),
+          plainWall(finish::kBlueGrey),
+          plainWall(finish::kWarmWhite, {kDoor})};
 }
 
 CeilingLamp lamp() {

@@ -12,21 +12,14 @@ constexpr double kHalfZ = Office::kDepth / 2;
 constexpr std::array<Outline, 2> kWindows = {{{-2.05, -0.35, 0.90, 2.20}, {0.35, 2.05, 0.90, 2.20}}};
 constexpr Outline kDoor = Door::opening(-1.35);  // in the left wall, whose x is -z
 
-Wall::Form wall(std::uint32_t colour, std::vector<Outline> openings = {}) {
-  Wall::Form form{};
-  form.colour = colour;
-  form.openings = std::move(openings);
-  return form;
-}
-
 Shell::Form shell() {
   return {Office::kWidth,
           Office::kDepth,
           Office::kHeight,
-          wall(finish::kWarmWhite),
-          wall(0xC9A27C),
-          wall(finish::kWarmWhite, {kDoor}),
-          wall(finish::kWarmWhite, {kWindows.begin(), kWindows.end()})};
+          plainWall(finish::kWarmWhite),
+          plainWall(0xC9A27C),
+          plainWall(finish::kWarmWhite, {kDoor}),
+          plainWall(finish::kWarmWhite, {kWindows.begin(), kWindows.end()})};
 }
 
 }  // namespace

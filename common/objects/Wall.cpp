@@ -70,6 +70,13 @@ void Wall::buildSkirting(const Form& form) {
   assembleBoxes(*this, skirting_, name() + " skirting", paint(0x8C7A66, 0.1), boards);
 }
 
+Wall::Form plainWall(std::uint32_t colour, std::vector<Outline> openings) {
+  Wall::Form form{};
+  form.colour = colour;
+  form.openings = std::move(openings);
+  return form;
+}
+
 Facade::Facade(double left, double right, const std::vector<Outline>& openings, bool corner)
     : VRObject("facade") {
   constexpr double kPlinthTop = 0.02;

@@ -40,6 +40,9 @@ class Wall : public VRObject {
   Polyhedron skirting_;
 };
 
+/// A wall in one colour, of a room that knows its size (Room.h).
+Wall::Form plainWall(std::uint32_t colour, std::vector<Outline> openings = {});
+
 /// An outer wall seen from the open, in the daylight: origin as a Wall's, z outwards, its openings the same
 /// as the wall's. From the ground, which lies deeper than the floor, to a cornice.
 class Facade : public VRObject {

@@ -24,7 +24,7 @@ SOURCES = (
     "common/math/Coord3 common/math/FixedPoint common/math/Rotation common/math/SingularValue common/math/TransformMatrix "
     "common/math/Trigonometry common/motion/Dof common/body/Rig common/body/ArmKinematics common/body/Posture "
     "common/world/BasePose common/world/Blocks common/world/Cube common/world/Driving common/world/Hands common/world/Neighbourhood "
-    "common/world/Plan common/world/World common/world/WorldState tests/determinism/steps").split()
+    "common/world/Plan common/world/Snapshot common/world/World common/world/WorldState tests/determinism/steps").split()
 LENGTH, TURN = 1e6, 2.0 ** 32 / (2 * math.pi)
 OLD_LIBRARY = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-AVX2_Usable,-FMA,-FMA_Usable,-FMA4,-AVX,-AVX_Usable"}
 

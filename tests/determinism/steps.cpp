@@ -12,6 +12,7 @@
 #include <string>
 
 #include "common/math/FixedPoint.h"
+#include "common/world/Snapshot.h"
 #include "common/world/World.h"
 
 namespace {
@@ -150,6 +151,7 @@ void run(Input input) {
     sample.sequence = static_cast<std::uint64_t>(i) + 1;
     if (i % 5000 == 2500) state.mode = state.mode == Mode::Operator ? Mode::Robot : Mode::Operator;
     disturb(world, state, sample, chance);
+    if (i == kSteps / 2) state = restore(snapshot(state), world);  // which must change nothing
     const auto held = [&] {
       int count = 0;
       for (const Movable& m : state.movables) count += m.holder != Holder::Nobody;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/body/ArmParts.h"
 #include "common/body/Assemble.h"
 #include "common/body/Palette.h"
 #include "common/math/FixedPoint.h"
@@ -132,16 +133,8 @@ void Exoskeleton::buildHand(const Rig& rig) {
 }
 
 void Exoskeleton::setPosture(const Posture& posture, double knuckle_bend) {
-  const TransformMatrix& shoulder = posture.t_body_shoulder;
-  const ArmPose& arm = posture.right_arm;
-  setCarrier(shoulder);
-  flexed_.setTransform(shoulder * arm.t_shoulder_flexed);
-  abducted_.setTransform(shoulder * arm.t_shoulder_abducted);
-  upper_.setTransform(shoulder * arm.t_shoulder_upper);
-  bent_.setTransform(shoulder * arm.t_shoulder_bent);
-  forearm_.setTransform(shoulder * arm.t_shoulder_forearm);
-  deviated_.setTransform(shoulder * arm.t_shoulder_deviated);
-  hand_.setTransform(shoulder * arm.t_shoulder_hand);
+  setCarrier(posture.t_body_shoulder);
+  setArm(posture, {&flexed_, &abducted_, &upper_, &bent_, &forearm_, &deviated_, &hand_});
   lever_.setOrientation(TransformMatrix::rotationZ(-knuckle_bend));
 }
 

@@ -1,5 +1,6 @@
 #include "common/body/robot/RobotArm.h"
 
+#include "common/body/ArmParts.h"
 #include "common/body/Assemble.h"
 #include "common/body/robot/RobotSize.h"
 #include "common/math/FixedPoint.h"
@@ -94,16 +95,8 @@ void RobotArm::buildWrist(const Rig& rig, double k) {
 }
 
 void RobotArm::setPosture(const Posture& posture, double grip) {
-  const TransformMatrix& shoulder = posture.t_body_shoulder;
-  const ArmPose& arm = posture.right_arm;
-  base_frame_.setTransform(shoulder * base_);
-  flexed_.setTransform(shoulder * arm.t_shoulder_flexed);
-  abducted_.setTransform(shoulder * arm.t_shoulder_abducted);
-  upper_.setTransform(shoulder * arm.t_shoulder_upper);
-  bent_.setTransform(shoulder * arm.t_shoulder_bent);
-  forearm_.setTransform(shoulder * arm.t_shoulder_forearm);
-  deviated_.setTransform(shoulder * arm.t_shoulder_deviated);
-  hand_.setTransform(shoulder * arm.t_shoulder_hand);
+  base_frame_.setTransform(posture.t_body_shoulder * base_);
+  setArm(posture, {&flexed_, &abducted_, &upper_, &bent_, &forearm_, &deviated_, &hand_});
   hand_.setGrip(grip);
 }
 
