@@ -12,6 +12,7 @@ struct Material {
   Coord3 colour{0.8, 0.8, 0.8};
   double gloss = 0.0;     ///< 0 matt .. 1 polished
   double emission = 0.0;  ///< share of `colour` that shines by itself, 0..1
+  bool operator==(const Material&) const = default;
 };
 
 /// Plane, convex polygons over shared vertices, in the frame of the object that owns them. Seen from outside

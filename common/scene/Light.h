@@ -24,4 +24,8 @@ struct Ambient {
 /// geometry and its light are computed once (paper, section III.C.1).
 struct Moving {};
 
+/// The object never moves relative to what it is a member of; below something that moves it moves with that,
+/// as one piece. No object may be declared Fixed and Moving (Mobility.h).
+struct Fixed {};
+
 }  // namespace coherency

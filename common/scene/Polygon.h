@@ -14,8 +14,10 @@ class Polygon : public VRObject {
   explicit Polygon(std::vector<Coord3> vertices, std::string name = {});
 
   void setShape(std::vector<Coord3> vertices);
-  void setMaterial(const Material& material) { faces_.material = material; }
-  void setColour(double r, double g, double b) { faces_.material.colour = {r, g, b}; }
+  void setMaterial(const Material& material);
+  void setColour(double r, double g, double b) {
+    setMaterial({{r, g, b}, faces_.material.gloss, faces_.material.emission});
+  }
   const FaceSet* faces() const override { return &faces_; }
 
  private:

@@ -39,15 +39,25 @@ void Polyhedron::setShape(std::vector<Coord3> vertices, std::vector<std::vector<
     const std::string what = self + ": face " + std::to_string(i);
     checkFace(cornersOf(faces[i], vertices, what), what);
   }
+  if (vertices == faces_.vertices && faces == faces_.faces && smooth == faces_.smooth) return;
   faces_.vertices = std::move(vertices);
   faces_.faces = std::move(faces);
   faces_.smooth = smooth;
+  tell(ObjectChange::Reshaped);
 }
 
 void Polyhedron::setCreaseAngle(double angle_rad) {
   if (!(angle_rad >= 0.0) || !std::isfinite(angle_rad))
     throw std::invalid_argument("Polyhedron '" + name() + "': crease angle must be finite and not negative");
+  if (angle_rad == faces_.crease_angle) return;
   faces_.crease_angle = angle_rad;
+  tell(ObjectChange::Reshaped);
+}
+
+void Polyhedron::setMaterial(const Material& material) {
+  if (material == faces_.material) return;
+  faces_.material = material;
+  tell(ObjectChange::Repainted);
 }
 
 }  // namespace coherency

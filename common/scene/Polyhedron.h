@@ -18,8 +18,10 @@ class Polyhedron : public VRObject {
                 bool smooth = false);
   /// See FaceSet::crease_angle; radians, 0 or more, else std::invalid_argument.
   void setCreaseAngle(double angle_rad);
-  void setMaterial(const Material& material) { faces_.material = material; }
-  void setColour(double r, double g, double b) { faces_.material.colour = {r, g, b}; }
+  void setMaterial(const Material& material);
+  void setColour(double r, double g, double b) {
+    setMaterial({{r, g, b}, faces_.material.gloss, faces_.material.emission});
+  }
   const FaceSet* faces() const override { return &faces_; }
 
  private:

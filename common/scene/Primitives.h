@@ -5,7 +5,7 @@
 
 // The primitives of paper section III.B, and Ellipsoid beside them. Sizes in metres; a size that is zero,
 // negative or not finite is refused with std::invalid_argument naming it, and so are more than 1024 sides.
-// setSize() may be called at any time before geometry is compiled.
+// setSize() may be called at any time: whoever compiled the old shape is told (ObjectWatch.h).
 
 namespace coherency {
 

@@ -37,6 +37,9 @@ class VRFrame {
   VRFrame(const VRFrame&) = default;
   VRFrame& operator=(const VRFrame&) = default;
 
+  /// Through here goes every setter, with a transform that is finite.
+  virtual void assign(const TransformMatrix& t_parent_this) { transform_ = t_parent_this; }
+
  private:
   TransformMatrix transform_;
 };

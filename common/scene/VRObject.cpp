@@ -24,6 +24,8 @@ TransformMatrix inverseOfParent(const VRObject& object) {
 }  // namespace
 
 VRObject::~VRObject() {
+  tell(ObjectChange::Died);
+  for (ObjectWatch* watch = watches_; watch != nullptr; watch = watch->next_) watch->object_ = nullptr;
   for (VRObject* member : members()) member->parent_ = nullptr;
   if (parent_ != nullptr) parent_->removeMember(this);
 }
@@ -40,6 +42,7 @@ void VRObject::addMember(VRObject* member) {
     if (above == member) refuse("adding '" + member->name() + "' would make it a part of itself (a cycle)");
   members_.push_back(member);
   member->parent_ = this;
+  tell(ObjectChange::Restructured);
 }
 
 void VRObject::removeMember(VRObject* member) {
@@ -60,6 +63,20 @@ void VRObject::removeMember(VRObject* member) {
     members_.erase(members_.begin(), members_.begin() + static_cast<std::ptrdiff_t>(gone_));
     gone_ = 0;
   }
+  tell(ObjectChange::Restructured);
+}
+
+void VRObject::tell(ObjectChange change) const noexcept {
+  for (ObjectWatch* watch = watches_; watch != nullptr; watch = watch->next_)
+    if (watch->hears(change)) watch->changed(change);
+}
+
+void VRObject::assign(const TransformMatrix& t_parent_this) {
+  if (watches_ == nullptr || t_parent_this == transform()) return VRFrame::assign(t_parent_this);
+  for (const ObjectWatch* watch = watches_; watch != nullptr; watch = watch->next_)
+    if (watch->hears(ObjectChange::Moved)) watch->mayMove();
+  VRFrame::assign(t_parent_this);
+  tell(ObjectChange::Moved);
 }
 
 std::string VRObject::path() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/scene/Attributes.h"
+#include "common/scene/ObjectWatch.h"
 #include "common/scene/VRFrame.h"
 
 namespace coherency {
@@ -14,6 +15,7 @@ struct FaceSet;
 
 /// A node of the world tree (paper, section III.B). Derive from it, hold primitives and other objects as data
 /// members, and register them with addMember() in the constructor; moving an object moves its members.
+/// Who has to know of changes, or to refuse a move, derives from ObjectWatch.
 ///
 /// The tree does not own its nodes: they are data members of the classes that describe the world. An object
 /// that dies leaves its parent and lets go of its members. Objects therefore neither copy nor move.
@@ -67,12 +69,20 @@ class VRObject : public VRFrame {
     return attributes_ == nullptr ? nullptr : static_cast<const Attributes&>(*attributes_).find<T>();
   }
 
+ protected:
+  /// Tells who watches this object. For classes with faces of their own: Reshaped and Repainted, when done.
+  void tell(ObjectChange change) const noexcept;
+  void assign(const TransformMatrix& t_parent_this) override;
+
  private:
+  friend class ObjectWatch;
+
   std::string name_;
   VRObject* parent_ = nullptr;
   std::vector<VRObject*> members_;
   std::size_t gone_ = 0;  ///< of members_, the first, which have left; so that many can do so one by one
   std::unique_ptr<Attributes> attributes_;  ///< most objects have none
+  mutable ObjectWatch* watches_ = nullptr;  ///< the first of them
 };
 
 /// Calls visit(object, t_root_object) for `root` and everything below it, parents first, in the order of
