@@ -28,32 +28,17 @@ std::vector<std::uint32_t> quadIndices() {
   return indices;
 }
 
-float width(std::string& line) {
-  return static_cast<float>(stb_easy_font_width(line.data()));
+float width(char* line) {
+  return static_cast<float>(stb_easy_font_width(line));
+}
+
+/// stb_easy_font looks letters up in a table without asking whether they are in it.
+char shown(char c) {
+  return c == '\n' || (c >= ' ' && c <= '~') ? c : '?';
 }
 
 float textWidth(const EyeView& view) {
   return static_cast<float>(view.text_width > 0.0 ? view.text_width : view.width - view.text_x);
-}
-
-/// Lines that are too wide are broken at spaces, else where they are full.
-std::string broken(const std::string& text, float widest) {
-  std::string all;
-  std::string line;
-  for (std::size_t i = 0; i < text.size() && all.size() < kMaxQuads; ++i) {
-    if (text[i] == '\n') {
-      all += line + '\n';
-      line.clear();
-      continue;
-    }
-    line += text[i];
-    if (line.size() < 2 || width(line) <= widest) continue;
-    const std::size_t space = line.find_last_of(' ', line.size() - 2);
-    const std::size_t end = space == std::string::npos || space == 0 ? line.size() - 1 : space + 1;
-    all += line.substr(0, end) + '\n';
-    line.erase(0, end);
-  }
-  return all + line;
 }
 
 void drawQuads(std::size_t first, std::size_t count) {
@@ -67,6 +52,7 @@ void drawQuads(std::size_t first, std::size_t count) {
 TextOverlay::TextOverlay()
     : program_(makeProgram("text", kTextVertexShader, kTextFragmentShader)),
       corners_(kMaxQuads * 4 * sizeof(Corner)) {
+  letters_.reserve(kMaxQuads + 2);  // a letter, and perhaps a line break, beyond which none is added
   const std::vector<std::uint32_t> indices = quadIndices();
   glNamedBufferStorage(indices_.name(), static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
                        indices.data(), 0);
@@ -79,14 +65,25 @@ TextOverlay::TextOverlay()
   glEnableVertexArrayAttrib(vertex_array_.name(), 0);
 }
 
+/// Lines that are too wide are broken at spaces, else where they are full.
+void TextOverlay::breakLines(const std::string& text, float widest) {
+  letters_.clear();
+  std::size_t line = 0;  // where it begins
+  for (std::size_t i = 0; i < text.size() && letters_.size() < kMaxQuads; ++i) {
+    letters_ += shown(text[i]);
+    if (text[i] == '\n') line = letters_.size();
+    if (letters_.size() < line + 2 || width(letters_.data() + line) <= widest) continue;
+    const std::size_t last = letters_.size() - 1;
+    const std::size_t space = letters_.find_last_of(' ', last - 1);
+    line = space == std::string::npos || space <= line ? last : space + 1;
+    letters_.insert(line++, 1, '\n');
+  }
+}
+
 /// Fills the corner buffer, the ground first and then the letters; returns the number of quads.
 std::size_t TextOverlay::layOut(const std::string& text, float widest) {
-  letters_ = text;
-  // stb_easy_font looks letters up in a table without asking whether they are in it.
-  std::replace_if(
-      letters_.begin(), letters_.end(), [](char c) { return c != '\n' && (c < ' ' || c > '~'); }, '?');
-  letters_ = broken(letters_, widest - 2.0F * kMargin);
-  const float right = 2.0F * kMargin + static_cast<float>(stb_easy_font_width(letters_.data()));
+  breakLines(text, widest - 2.0F * kMargin);
+  const float right = 2.0F * kMargin + width(letters_.data());
   const float bottom = 2.0F * kMargin + static_cast<float>(stb_easy_font_height(letters_.data()));
   const Corner ground[4] = {{0, 0, 0, 0}, {right, 0, 0, 0}, {right, bottom, 0, 0}, {0, bottom, 0, 0}};
   std::memcpy(corners_.data(), ground, sizeof(ground));

@@ -10,7 +10,7 @@
 namespace coherency {
 
 /// Lines of text on a dark translucent ground, in the bitmap letters of stb_easy_font. Printable ASCII;
-/// anything else shows as '?'. What is beyond some thousand letters is left out.
+/// anything else shows as '?'. What is beyond some thousand letters is left out. Allocates nothing once made.
 class TextOverlay {
  public:
   TextOverlay();
@@ -19,6 +19,7 @@ class TextOverlay {
   void draw(std::span<const EyeView> views, const std::string& text);
 
  private:
+  void breakLines(const std::string& text, float widest);
   std::size_t layOut(const std::string& text, float widest);
 
   Program program_;

@@ -1,7 +1,4 @@
-// What stands where in a picture, what hides what, and that being far from the world's origin changes
-// nothing.
-
-#include <cmath>
+// What stands where in a picture, and which of its sides shows.
 
 #include "common/math/FixedPoint.h"
 #include "tests/render/Support.h"
@@ -47,31 +44,6 @@ TEST_F(Picture, ViewsLieWhereTheyAreToldCountedFromTheBottomLeft) {
       const int row_from_below = kHeight - 1 - y;
       const bool inside = x >= 50 && x < 80 && row_from_below >= 60 && row_from_below < 80;
       ASSERT_EQ(value(image, x, y, Red) > 0, inside) << x << ", " << y;
-    }
-}
-
-/// Two squares, turned the same way, `gap` apart, so large that nothing else is seen; the red one is nearer.
-void addTwoFaces(TestScene& scene, double distance, double gap, double turned, bool red_first) {
-  const auto face = [&](const Material& material, double z) {
-    scene.add<Rectangle>({0.0, 0.0, z}, material, 30.0 * distance, 30.0 * distance)
-        .setOrientation(TransformMatrix::rotationY(turned) * TransformMatrix::rotationX(0.5 * turned));
-  };
-  if (red_first) face(kRed, -distance);
-  face(kBlue, -distance - gap);
-  if (!red_first) face(kRed, -distance);
-}
-
-TEST_F(Picture, TellsFacesAMillimetreApartAtAHundredMetres) {
-  for (const double turned : {0.0, 0.5})
-    for (const bool red_first : {true, false}) {
-      TestScene scene;
-      addTwoFaces(scene, 100.0, 0.001, turned, red_first);
-      const EyeView view = lookingAhead({}, kWidth, kHeight);
-      ASSERT_EQ(view.near_m, 0.01);
-      const Image image = picture(scene, view);
-      const double everywhere = kWidth * kHeight * linear(value(image, 0, 0, Red));
-      EXPECT_NEAR(spot(image, Red).light, everywhere, 1e-6 * everywhere) << "turned by " << turned;
-      EXPECT_EQ(spot(image, Blue).light, 0.0) << "turned by " << turned << ", red first: " << red_first;
     }
 }
 
@@ -146,40 +118,6 @@ TEST_F(Picture, MirroredShapesShowTheirOutsideLitAndShadowingAsUprightOnes) {
     EXPECT_GT(shareDiffering(picture(upright, view, {.shadows = false}), expected, 8), 0.01)
         << "there are shadows";
   }
-}
-
-/// Everything there is to a picture, lamp and shadows too, about `middle`.
-struct Village {
-  explicit Village(const Coord3& middle) {
-    scene.setAmbient({0.3, 0.3, 0.35}, {0.1, 0.1, 0.1});
-    scene.addLight({middle + Coord3{0.3, 2.4, -0.5}, {1.0, 0.95, 0.9}, 4.0});
-    scene.add<Box>(middle + Coord3{0.0, -1.0, -2.0}, matt(0.7, 0.7, 0.7), Coord3{5.0, 0.1, 5.0});
-    for (int i = 0; i < 5; ++i) {
-      Box& box = scene.add<Box>(middle + Coord3{0.5 * i - 1.0, -0.6 + 0.1 * i, -1.0 - 0.4 * i},
-                                matt(0.9 - 0.15 * i, 0.4, 0.2 * i), Coord3{0.3, 0.4, 0.2});
-      box.setOrientation(YawPitchRoll{0.3 * i, 0.2 * i, 0.1 * i});
-      if (i % 2 == 0) box.attach(Moving{});
-    }
-    scene.add<Ellipsoid>(middle + Coord3{0.4, 0.3, -1.2}, Material{{0.2, 0.5, 0.8}, 0.6, 0.0},
-                         Coord3{0.2, 0.2, 0.2}, 24);
-    view = lookingAhead(middle, 320, 240);
-    view.t_world_eye = TransformMatrix::translation(middle) * rotation(YawPitchRoll{0.05, -0.15, 0.02});
-  }
-  TestScene scene;
-  EyeView view;
-};
-
-TEST_F(Picture, IsTheSameAThousandKilometresFromTheOrigin) {
-  const Village here({});
-  const Image expected = picture(here.scene, here.view);
-  for (const Coord3& far : {Coord3{1e6, 0.0, 0.0}, Coord3{-6e5, 4e5, 7e5}}) {
-    const Village there(far);
-    EXPECT_LE(shareDiffering(picture(there.scene, there.view), expected, 2), 0.001);
-  }
-  Village aside({});
-  aside.view.t_world_eye.setOrigin({0.01, 0.0, 0.0});
-  EXPECT_GT(shareDiffering(picture(aside.scene, aside.view), expected, 2), 0.01)
-      << "a centimetre would be noticed";
 }
 
 TEST_F(Picture, ShapesMayLieFarFromTheirOwnFrame) {
