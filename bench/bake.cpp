@@ -72,7 +72,7 @@ void printErrorBetween(FixedMesh& mesh, const Bake& baked, const LightBaker& tru
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const std::uint32_t* c = &mesh.indices[i];
     const FixedObject& object = mesh.objectOf(c[0]);
-    if (object.faces->material.emission >= 1.0 || !std::isfinite(object.longest_edge)) continue;
+    if (object.object->faces()->material.emission >= 1.0 || !std::isfinite(object.longest_edge)) continue;
     const SurfacePoint corner[3] = {surface.at(c[0]), surface.at(c[1]), surface.at(c[2])};
     passed += 0.5F * glm::length(glm::cross(corner[1].position - corner[0].position,
                                             corner[2].position - corner[0].position));
@@ -92,7 +92,7 @@ void printErrorBetween(FixedMesh& mesh, const Bake& baked, const LightBaker& tru
       }
       at.normal = glm::normalize(at.normal);
       const SurfaceLight light = truth.light(at);
-      const auto colour = static_cast<float>(object.faces->material.colour.y);
+      const auto colour = static_cast<float>(object.object->faces()->material.colour.y);
       errors.push_back(light.buried
                            ? 0.0
                            : std::abs(encoded(tone(colour * drawn)) - encoded(tone(colour * light.light.g))));
@@ -121,7 +121,7 @@ void printError(const FixedMesh& mesh, const std::vector<SurfaceLight>& light,
   double sum = 0.0;
   for (std::uint32_t v = 0; v < light.size(); ++v) {
     if (light[v].buried || truth[v].buried) continue;
-    const Material& material = mesh.objectOf(v).faces->material;
+    const Material& material = mesh.objectOf(v).object->faces()->material;
     const auto shown = [&](const SurfaceLight& l) {
       return encoded(tone(static_cast<float>(material.colour.y) * l.light.g));
     };

@@ -4,6 +4,7 @@
 
 #include "common/body/Palette.h"
 #include "common/objects/Finish.h"
+#include "common/scene/Enclosure.h"
 
 namespace coherency {
 
@@ -33,6 +34,14 @@ Faces level(const Faces& sheets) {
   Faces floor;
   floor.add(sheets, kLevel);
   return floor;
+}
+
+void addOpenings(Enclosure& enclosure, const Wall::Form& wall, const VRObject& placed) {
+  const TransformMatrix& t_room_wall = placed.transform();
+  for (const Outline& o : wall.openings)
+    enclosure.openings.push_back(
+        {t_room_wall.point({o.left, o.bottom, 0.0}), t_room_wall.point({o.right, o.bottom, 0.0}),
+         t_room_wall.point({o.right, o.top, 0.0}), t_room_wall.point({o.left, o.top, 0.0})});
 }
 
 }  // namespace
@@ -89,6 +98,12 @@ Shell::Shell(const Form& f)
   ceiling_.setSize(f.width + 2 * kUnderWall, f.depth + 2 * kUnderWall);
   assemble(*this, ceiling_, "ceiling", paint(finish::kCeiling), {0.0, f.height, 0.0});
   ceiling_.setOrientation(TransformMatrix::rotationX(kTurn / 4));
+  Enclosure enclosure{{0.0, f.height / 2, 0.0}, {f.width, f.height, f.depth}, {}};
+  addOpenings(enclosure, f.front, front_);
+  addOpenings(enclosure, f.back, back_);
+  addOpenings(enclosure, f.left, left_);
+  addOpenings(enclosure, f.right, right_);
+  attach(std::move(enclosure));
 }
 
 }  // namespace coherency

@@ -40,8 +40,8 @@ class BorderedFloor : public VRObject {
   Polyhedron edge_;
 };
 
-/// Four walls and a ceiling around a room about the origin: front is -z, right is +x. Each wall's width and
-/// height come from the room's.
+/// Four walls and a ceiling around a room about the origin, an Enclosure with the floor that is put below:
+/// front is -z, right is +x. Each wall's width and height come from the room's.
 class Shell : public VRObject {
  public:
   struct Form {

@@ -57,7 +57,7 @@ class Baking {
 
   /// A material's own light needs none from elsewhere.
   bool needsLight(std::uint32_t vertex) const {
-    return surface_.mesh().objectOf(vertex).faces->material.emission < 1.0;
+    return surface_.mesh().objectOf(vertex).object->faces()->material.emission < 1.0;
   }
 
   void lightUnknown() {
@@ -134,7 +134,7 @@ class Baking {
 
   /// Of the pictures of a surface in two lights: share of a display's range, in the channel where it is most.
   double shownDifference(const Side& side, const glm::vec3& a, const glm::vec3& b) const {
-    const glm::vec3 colour(surface_.mesh().objectOf(side.a).faces->material.colour.glm());
+    const glm::vec3 colour(surface_.mesh().objectOf(side.a).object->faces()->material.colour.glm());
     float most = 0.0F;
     for (int c = 0; c < 3; ++c)
       most = std::max(most, std::abs(encoded(tone(colour[c] * a[c])) - encoded(tone(colour[c] * b[c]))));

@@ -14,28 +14,23 @@ namespace coherency {
 namespace {
 
 constexpr std::uint32_t kWorld = 0;  ///< the node of what never moves
-constexpr float kWorthShading = 0.02F;
 
 std::uint32_t count(const auto& list) {
   return static_cast<std::uint32_t>(list.size());
 }
 
-/// Of the vertices from `first` on, about their origin.
-template <class Vertex>
-Coord3 halfExtent(const std::vector<Vertex>& vertices, std::size_t first, std::size_t last) {
+/// About a mesh's origin.
+Coord3 halfExtent(const std::vector<MeshVertex>& vertices) {
   glm::dvec3 extent(0.0);
-  for (std::size_t v = first; v < last; ++v) {
-    const float(&p)[3] = vertices[v].position;
-    extent = glm::max(extent, glm::abs(glm::dvec3(p[0], p[1], p[2])));
-  }
+  for (const MeshVertex& v : vertices)
+    extent = glm::max(extent, glm::abs(glm::dvec3(v.position[0], v.position[1], v.position[2])));
   return Coord3(extent);
 }
 
-double radius(const auto& vertices, std::size_t first, std::size_t last) {
+double radius(const std::vector<MeshVertex>& vertices) {
   double square = 0.0;
-  for (std::size_t v = first; v < last; ++v) {
-    const float(&p)[3] = vertices[v].position;
-    const glm::dvec3 position(p[0], p[1], p[2]);
+  for (const MeshVertex& v : vertices) {
+    const glm::dvec3 position(v.position[0], v.position[1], v.position[2]);
     square = std::max(square, glm::dot(position, position));
   }
   return std::sqrt(square);
@@ -52,16 +47,6 @@ double lightingEdge(const VRObject& object, const Coord3& half_extent) {
   return lit ? std::max(kEdge / scale, size / 32.0) : 4.0 * size;
 }
 
-std::uint16_t share(float of_one) {
-  return static_cast<std::uint16_t>(std::lround(std::clamp(of_one, 0.0F, 1.0F) * 65535.0F));
-}
-
-LitVertex litVertex(const glm::vec3& position, const SurfaceLight& surface) {
-  const glm::vec3 light = surface.light / LitVertex::kBrightest;
-  return {{position.x, position.y, position.z},
-          {share(light.r), share(light.g), share(light.b), share(surface.shade)}};
-}
-
 }  // namespace
 
 CompiledScene::CompiledScene(const VRObject& root, const Illumination& illumination,
@@ -71,8 +56,10 @@ CompiledScene::CompiledScene(const VRObject& root, const Illumination& illuminat
   FixedMesh mesh;
   addTree(root, mesh);
   update();
+  const std::vector<std::uint32_t> uncut = mesh.indices;
   bake_ = bake(mesh, illumination, settings);
-  addFixed(mesh);
+  fixed_.emplace(mesh, uncut, bake_.light, settings.finest);
+  bake_.light = {};
 }
 
 void CompiledScene::addTree(const VRObject& root, FixedMesh& mesh) {
@@ -90,6 +77,8 @@ void CompiledScene::addTree(const VRObject& root, FixedMesh& mesh) {
     }
     const TransformMatrix t_world_object = t_world_parent * object->transform();
     mesh.add(*object, t_world_object);
+    if (const auto* enclosure = object->attribute<Enclosure>(); enclosure != nullptr)
+      enclosures_.push_back({*enclosure, t_world_object});
     for (const VRObject* member : object->members()) pending.push_back({member, t_world_object});
   }
 }
@@ -135,39 +124,17 @@ void CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
   if (object.faces() == nullptr) return;
   Mesh mesh = meshOf(object);
   if (mesh.indices.empty()) return;
-  const Coord3 half_extent = halfExtent(mesh.vertices, 0, mesh.vertices.size());
+  const Coord3 half_extent = halfExtent(mesh.vertices);
   refine(mesh, lightingEdge(object, half_extent));
-  moving_.drawables.push_back({object.faces(), node, mesh.origin, half_extent,
-                               radius(mesh.vertices, 0, mesh.vertices.size()), count(moving_.indices),
-                               count(mesh.indices), count(moving_.vertices), false, count(roots_)});
+  moving_.drawables.push_back({{count(moving_.indices), count(mesh.indices), count(moving_.vertices)},
+                               object.faces(),
+                               node,
+                               mesh.origin,
+                               half_extent,
+                               radius(mesh.vertices),
+                               count(roots_)});
   moving_.vertices.insert(moving_.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
   moving_.indices.insert(moving_.indices.end(), mesh.indices.begin(), mesh.indices.end());
-}
-
-void CompiledScene::addFixed(const FixedMesh& mesh) {
-  // Cutting has left the objects' triangles together, but not their vertices.
-  constexpr std::uint32_t kNowhere = UINT32_MAX;
-  std::vector<std::uint32_t> place(mesh.vertices.size(), kNowhere);
-  for (std::size_t i = 0; i < mesh.indices.size();) {
-    const std::uint32_t number = mesh.vertices[mesh.indices[i]].object;
-    const FixedObject& object = mesh.objects[number];
-    Drawable drawable{object.faces,          kWorld, object.origin,         {}, 0.0,
-                      count(fixed_.indices), 0,      count(fixed_.vertices)};
-    for (; i < mesh.indices.size() && mesh.vertices[mesh.indices[i]].object == number; ++i) {
-      const std::uint32_t v = mesh.indices[i];
-      if (place[v] == kNowhere) {
-        place[v] = count(fixed_.vertices) - drawable.first_vertex;
-        fixed_.vertices.push_back(litVertex(mesh.vertices[v].position, bake_.light[v]));
-        drawable.shaded = drawable.shaded || bake_.light[v].shade > kWorthShading;
-      }
-      fixed_.indices.push_back(place[v]);
-    }
-    drawable.index_count = count(fixed_.indices) - drawable.first_index;
-    drawable.half_extent = halfExtent(fixed_.vertices, drawable.first_vertex, fixed_.vertices.size());
-    drawable.radius = radius(fixed_.vertices, drawable.first_vertex, fixed_.vertices.size());
-    fixed_.drawables.push_back(drawable);
-  }
-  bake_.light = {};
 }
 
 void CompiledScene::update() {
@@ -177,8 +144,7 @@ void CompiledScene::update() {
 
 Sphere CompiledScene::worldSphere(const Drawable& drawable) const {
   const TransformMatrix& t_world_object = worldTransform(drawable);
-  const double scale = drawable.node == kWorld ? 1.0 : t_world_object.maxScale();
-  return {t_world_object.point(drawable.origin), scale * drawable.radius};
+  return {t_world_object.point(drawable.origin), t_world_object.maxScale() * drawable.radius};
 }
 
 float CompiledScene::inSight(std::size_t lamp, const Coord3& place) const {

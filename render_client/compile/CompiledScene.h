@@ -1,27 +1,27 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/math/Frustum.h"
+#include "common/scene/Enclosure.h"
 #include "common/scene/VRObject.h"
 #include "render_client/compile/Bake.h"
+#include "render_client/compile/FixedBlocks.h"
 #include "render_client/compile/MeshBuilder.h"
 
 namespace coherency {
 
-/// One object that shows faces: where its triangles are, and whose they are.
+/// An object that moves and shows faces: where its triangles are, and whose they are.
 struct Drawable {
+  IndexRange range;
   const FaceSet* faces;  ///< its material may change at any time, its shape may not
-  std::uint32_t node;    ///< for CompiledScene::worldTransform(); what never moves stands in the world itself
+  std::uint32_t node;    ///< for CompiledScene::worldTransform()
   Coord3 origin;         ///< of its vertices, in the node's frame: about the middle of its box
   Coord3 half_extent;    ///< of a box about them, in the node's axes
   double radius;         ///< of a sphere about `origin` that holds them, in the node's frame
-  std::uint32_t first_index = 0;
-  std::uint32_t index_count = 0;
-  std::uint32_t first_vertex = 0;
-  bool shaded = false;     ///< never moves, and could be darkened by what does
-  std::uint32_t root = 0;  ///< moves: its place in CompiledScene::movingRoots()
+  std::uint32_t root;    ///< its place in CompiledScene::movingRoots()
 };
 
 /// What moves as a whole: an object with the attribute Moving, and all below it that shows faces.
@@ -30,33 +30,33 @@ struct MovingRoot {
   Coord3 middle;  ///< in the node's frame: a little above that of the box about all, as it was compiled
 };
 
-/// A vertex of what never moves, as it lies in the vertex buffer.
-struct LitVertex {
-  float position[3];       ///< m, world's axes, relative to Drawable::origin
-  std::uint16_t light[4];  ///< irradiance as shares of kBrightest, and SurfaceLight::shade; 65535 is 1
-  static constexpr float kBrightest = 16.0F;
-};
-
-/// All triangles of one kind in one buffer.
-template <class Vertex>
-struct Surfaces {
-  std::vector<Vertex> vertices;
+/// All triangles of what moves in one buffer.
+struct MovingSurfaces {
+  std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> indices;  ///< from a drawable's first vertex
   std::vector<Drawable> drawables;
 };
 
+/// An enclosure, and where it stands: T_world_object.
+struct PlacedEnclosure {
+  Enclosure enclosure;
+  TransformMatrix t_world_object;
+};
+
 /// A tree of objects made ready for drawing (geometry compilation, paper, section III.C.1). What never moves,
 /// no object from the root down to it having the attribute Moving, stands in the world once and for all, with
-/// its light at its vertices. What moves is a list, parents first: a frame walks no pointers and allocates
-/// nothing. The tree must outlive this and keep its structure; transforms may change where it is marked so,
-/// materials everywhere, although light keeps the colours it had.
+/// its light at its vertices or in a texture (FixedBlocks). What moves is a list, parents first: a frame
+/// walks no pointers and allocates nothing. The tree must outlive this and keep its structure; transforms may
+/// change where it is marked so, materials everywhere, although light keeps the colours it had.
 class CompiledScene {
  public:
   /// Throws what buildMesh() throws, with the object's path.
   CompiledScene(const VRObject& root, const Illumination& illumination, const BakeSettings& settings = {});
 
-  const Surfaces<LitVertex>& fixed() const { return fixed_; }
-  const Surfaces<MeshVertex>& moving() const { return moving_; }
+  const FixedBlocks& fixed() const { return *fixed_; }
+  /// Of the objects that never move.
+  const std::vector<PlacedEnclosure>& enclosures() const { return enclosures_; }
+  const MovingSurfaces& moving() const { return moving_; }
 
   /// Reads the transforms of all that moves anew.
   void update();
@@ -81,13 +81,13 @@ class CompiledScene {
   void addMovingTree(const VRObject& root, const TransformMatrix& t_world_parent);
   void addMoving(const VRObject& object, std::uint32_t node);
   Coord3 middleOf(std::size_t first, std::uint32_t root) const;
-  void addFixed(const FixedMesh& mesh);
 
   std::vector<Node> nodes_;  ///< of one without an object the transform stays
   std::vector<TransformMatrix> t_world_;
   std::vector<MovingRoot> roots_;
-  Surfaces<LitVertex> fixed_;
-  Surfaces<MeshVertex> moving_;
+  std::optional<FixedBlocks> fixed_;
+  std::vector<PlacedEnclosure> enclosures_;
+  MovingSurfaces moving_;
   Bake bake_;
 };
 

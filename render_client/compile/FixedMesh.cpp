@@ -63,8 +63,8 @@ void FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_objec
     for (const std::size_t c : {0U, mirrored ? 2U : 1U, mirrored ? 1U : 2U})
       indices.push_back(first + mesh.indices[i + c]);
   }
-  objects.push_back({object.faces(), t_world_object.point(mesh.origin), longestEdge(*object.faces(), size),
-                     isRod(mesh, linear)});
+  objects.push_back(
+      {&object, t_world_object.point(mesh.origin), longestEdge(*object.faces(), size), isRod(mesh, linear)});
 }
 
 }  // namespace coherency

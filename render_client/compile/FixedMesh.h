@@ -21,7 +21,7 @@ inline constexpr double kRod = 0.07;  // m
 
 /// An object that never moves and shows faces.
 struct FixedObject {
-  const FaceSet* faces;
+  const VRObject* object;
   Coord3 origin;        ///< of its vertices, m, in the world
   double longest_edge;  ///< m; its edges are cut to it, so that light can be computed at the vertices;
                         ///< infinite: never

@@ -17,7 +17,7 @@ Coord3 middleOf(const FixedMesh& mesh) {
   glm::dvec3 high(-kFar);
   for (const FixedVertex& v : mesh.vertices) {
     const FixedObject& object = mesh.objects[v.object];
-    if (object.faces->material.emission >= kShines) continue;
+    if (object.object->faces()->material.emission >= kShines) continue;
     const glm::dvec3 at = object.origin.glm() + glm::dvec3(v.position);
     low = glm::min(low, at);
     high = glm::max(high, at);
@@ -107,7 +107,7 @@ std::vector<Occluder> FixedSurface::occluders() const {
   std::vector<Occluder> all;
   for (std::size_t i = 0; i + 2 < mesh_.indices.size(); i += 3) {
     const FixedObject& object = mesh_.objectOf(mesh_.indices[i]);
-    const Material& material = object.faces->material;
+    const Material& material = object.object->faces()->material;
     if (material.emission >= kShines || object.rod) continue;
     Occluder occluder{{}, glm::vec3(material.colour.glm())};
     for (std::size_t c = 0; c < 3; ++c)

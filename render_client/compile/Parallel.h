@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 namespace coherency {
 
@@ -20,15 +20,16 @@ void parallelFor(std::size_t count, const Work& work) {
       for (std::size_t i = begin, end = std::min(begin + kChunk, count); i < end; ++i) work(i);
   };
   const std::size_t cores = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
-  std::vector<std::thread> helpers;
-  helpers.reserve(cores);
+  std::array<std::thread, 7> helpers;  // no list: what is done by this thread alone allocates nothing
   try {
-    for (std::size_t n = std::min(cores, count / (2 * kChunk) + 1) - 1; n > 0; --n) helpers.emplace_back(run);
+    const std::size_t worth = std::min(cores, count / (2 * kChunk) + 1) - 1;
+    for (std::size_t n = 0; n < worth; ++n) helpers.at(n) = std::thread(run);
   } catch (const std::system_error&) {
     // The system gives no more threads: those there are, this one if no other, do all of it.
   }
   run();
-  for (std::thread& helper : helpers) helper.join();
+  for (std::thread& helper : helpers)
+    if (helper.joinable()) helper.join();
 }
 
 }  // namespace coherency

@@ -14,10 +14,10 @@ void DrawCommands::clear() {
   upright_ = mirrored_ = 0;
 }
 
-void DrawCommands::add(const Drawable& drawable, std::size_t number, bool mirrored) {
+void DrawCommands::add(const IndexRange& range, std::size_t number, bool mirrored) {
   assert(upright_ + mirrored_ < commands_.size());
   const std::size_t at = mirrored ? commands_.size() - ++mirrored_ : upright_++;
-  commands_[at] = {drawable.index_count, 1, drawable.first_index, static_cast<GLint>(drawable.first_vertex),
+  commands_[at] = {range.index_count, 1, range.first_index, static_cast<GLint>(range.first_vertex),
                    static_cast<GLuint>(number)};
 }
 

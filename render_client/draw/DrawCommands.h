@@ -14,8 +14,8 @@ class DrawCommands {
   explicit DrawCommands(std::size_t capacity);
 
   void clear();
-  /// `number` is the drawable's place in its Surfaces. No more than `capacity`.
-  void add(const Drawable& drawable, std::size_t number, bool mirrored);
+  /// `number` reaches the vertex shader. No more than `capacity`.
+  void add(const IndexRange& range, std::size_t number, bool mirrored);
   std::size_t size() const { return upright_ + mirrored_; }
   void upload();
   /// With the scene's buffers bound; culling as the caller has set it. Leaves GL_CCW as the front face.

@@ -10,8 +10,8 @@
 namespace coherency {
 
 MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution)
-    : program_(makeProgram("moving", movingVertexShader({true, lamp_count, shadow_resolution}),
-                           fragmentShader({true, lamp_count, shadow_resolution}))),
+    : program_(makeProgram("moving", movingVertexShader({LightSource::Lamps, lamp_count, shadow_resolution}),
+                           fragmentShader({LightSource::Lamps, lamp_count, shadow_resolution}))),
       commands_(scene.moving().drawables.size()),
       order_(scene.moving().drawables.size()),
       objects_(scene.moving().drawables.size()),
@@ -40,20 +40,24 @@ void MovingPass::writeLamps(const CompiledScene& scene, const LampSets& lamps) {
 }
 
 void MovingPass::begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& eye,
-                       std::size_t view_count, const ViewPyramids& views) {
+                       std::size_t view_count, const ViewPyramids& views, const Enclosures& enclosures) {
   writeLamps(scene, lamps);
   object_buffer_.reserve(view_count);
   order_.clear();
   const std::vector<Drawable>& drawables = scene.moving().drawables;
-  for (std::size_t i = 0; i < drawables.size(); ++i)
-    if (std::abs(handedness(scene.worldTransform(drawables[i]))) >= kFlat &&
-        views.sees(scene.worldSphere(drawables[i])) != InView::None)
-      order_.add(i, farthest(worldBox(scene, drawables[i]), eye));
+  for (std::size_t i = 0; i < drawables.size(); ++i) {
+    if (std::abs(handedness(scene.worldTransform(drawables[i]))) < kFlat ||
+        views.sees(scene.worldSphere(drawables[i])) == InView::None)
+      continue;
+    const WorldBox box = worldBox(scene, drawables[i]);
+    if (!enclosures.hide(0.5 * (box.low + box.high), 0.5 * (box.high - box.low)))
+      order_.add(i, farthest(box, eye));
+  }
   order_.sort();
   commands_.clear();
   for (const NearestFirst::Shown& shown : order_.shown()) {
     const Drawable& drawable = drawables[shown.number];
-    commands_.add(drawable, shown.number, handedness(scene.worldTransform(drawable)) < 0.0);
+    commands_.add(drawable.range, shown.number, handedness(scene.worldTransform(drawable)) < 0.0);
   }
   commands_.upload();
 }

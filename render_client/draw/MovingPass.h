@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "render_client/cull/Enclosures.h"
 #include "render_client/cull/ViewPyramid.h"
 #include "render_client/draw/DrawCommands.h"
 #include "render_client/draw/LampSets.h"
@@ -28,7 +29,7 @@ class MovingPass {
   /// Chooses what is drawn in this frame, by all its views: what one of them may see. `lamps` as updated for
   /// this frame.
   void begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& eye, std::size_t view_count,
-             const ViewPyramids& views);
+             const ViewPyramids& views, const Enclosures& enclosures);
   /// Draws view number `slot` of the frame, whose uniforms are bound, into the bound framebuffer.
   void draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene, const SceneBuffers& buffers);
 

@@ -5,11 +5,11 @@
 
 namespace coherency {
 
-/// Drawables in the order in which they are drawn: nearest first, so that what they hide is not shaded.
+/// Things in the order in which they are drawn: nearest first, so that what they hide is not shaded.
 class NearestFirst {
  public:
   struct Shown {
-    std::size_t number;  ///< its place in its Surfaces
+    std::size_t number;  ///< as whoever added it counts
     double distance;     ///< m, of its box's farthest corner from the eye
   };
 

@@ -92,7 +92,7 @@ WorldBox OverheadShadow::Tile::region() const {
 
 void OverheadShadow::Tile::add(const CompiledScene& scene, const Drawable& drawable) {
   const TransformMatrix& t_world_object = scene.worldTransform(drawable);
-  commands.add(drawable, casters.drawables.size(), handedness(t_world_object) < 0.0);
+  commands.add(drawable.range, casters.drawables.size(), handedness(t_world_object) < 0.0);
   casters.drawables.push_back(&drawable);
   casters.map_from_mesh.emplace_back(kMapFromMiddle * fromEye(map_middle, t_world_object, drawable.origin));
 }

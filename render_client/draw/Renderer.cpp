@@ -9,7 +9,7 @@
 
 #include "render_client/compile/CompiledScene.h"
 #include "render_client/compile/ToneCurve.h"
-#include "render_client/draw/FixedPass.h"
+#include "render_client/draw/BlockPass.h"
 #include "render_client/draw/LampSets.h"
 #include "render_client/draw/MovingPass.h"
 #include "render_client/draw/OverheadShadow.h"
@@ -62,7 +62,9 @@ struct Renderer::Gl {
         buffers(compiled),
         lamps(illumination, compiled),
         moving(compiled, std::min(illumination.lamps.size(), kChosenLamps), shadowResolution()),
-        fixed(compiled, shadowResolution()),
+        lit(compiled.fixed().lit.blocks, LightSource::Vertices, shadowResolution()),
+        mapped(compiled.fixed().mapped.blocks, LightSource::Lightmap, shadowResolution()),
+        enclosures(compiled.enclosures()),
         target(width, height, settings_.samples) {
     if (settings.shadows) shadow.emplace(settings.shadow_resolution, compiled.moving().drawables.size());
   }
@@ -71,8 +73,14 @@ struct Renderer::Gl {
 
   void clipTo(std::span<const EyeView> views) {
     pyramids.clear();
-    for (const EyeView& view : views)
-      if (settings.clip) pyramids.add({view.t_world_eye, view.view, view.near_m});
+    enclosures.begin();
+    if (!settings.clip) return;
+    for (const EyeView& view : views) {
+      pyramids.add({view.t_world_eye, view.view, view.near_m});
+      const double pixel = std::max((view.view.tan_left + view.view.tan_right) / view.width,
+                                    (view.view.tan_down + view.view.tan_up) / view.height);
+      enclosures.addView(view.t_world_eye, view.view, view.near_m, pixel);
+    }
   }
 
   void draw(std::span<const EyeView> views) {
@@ -80,8 +88,9 @@ struct Renderer::Gl {
     const OverheadShadow* const map = shadow ? &*shadow : nullptr;
     uniforms.reserve(views.size());
     lamps.update();
-    moving.begin(compiled, lamps, eye, views.size(), pyramids);
-    fixed.begin(compiled, eye, views.size(), pyramids, map);
+    moving.begin(compiled, lamps, eye, views.size(), pyramids, enclosures);
+    lit.begin(eye, views.size(), pyramids, enclosures, map);
+    mapped.begin(eye, views.size(), pyramids, enclosures, map);
     if (map != nullptr) map->bindTexture();
     for (std::size_t slot = 0; slot < views.size(); ++slot) {
       const EyeView& view = views[slot];
@@ -89,7 +98,10 @@ struct Renderer::Gl {
       uniforms.bind(slot);
       glViewport(view.x, view.y, view.width, view.height);
       moving.draw(slot, view.t_world_eye.origin(), compiled, buffers);
-      fixed.draw(slot, view.t_world_eye.origin(), compiled, buffers);
+      buffers.bindLit();
+      lit.draw(slot, view.t_world_eye.origin());
+      buffers.bindMapped();
+      mapped.draw(slot, view.t_world_eye.origin());
     }
   }
 
@@ -106,8 +118,10 @@ struct Renderer::Gl {
   SceneBuffers buffers;
   LampSets lamps;
   MovingPass moving;
-  FixedPass fixed;
+  BlockPass lit;
+  BlockPass mapped;
   ViewPyramids pyramids;
+  Enclosures enclosures;
   ViewUniforms uniforms;
   TextOverlay text;
   RenderTarget target;
@@ -166,21 +180,29 @@ std::string Renderer::rendererName() const {
   return glText(GL_RENDERER);
 }
 std::size_t Renderer::triangleCount() const {
-  return (gl_->compiled.fixed().indices.size() + gl_->compiled.moving().indices.size()) / 3;
+  const CompiledScene& compiled = gl_->compiled;
+  return (compiled.fixed().lit.indices.size() + compiled.fixed().mapped.indices.size() +
+          compiled.moving().indices.size()) /
+         3;
 }
 std::size_t Renderer::vertexCount() const {
-  return gl_->compiled.fixed().vertices.size() + gl_->compiled.moving().vertices.size();
+  const CompiledScene& compiled = gl_->compiled;
+  return compiled.fixed().lit.vertices.size() + compiled.fixed().mapped.vertices.size() +
+         compiled.moving().vertices.size();
 }
 std::size_t Renderer::vertexBytes() const {
-  return gl_->compiled.fixed().vertices.size() * sizeof(LitVertex) +
-         gl_->compiled.moving().vertices.size() * sizeof(MeshVertex) +
-         3 * triangleCount() * sizeof(std::uint32_t);
+  const CompiledScene& compiled = gl_->compiled;
+  return compiled.fixed().lit.vertices.size() * sizeof(LitVertex) +
+         compiled.fixed().mapped.vertices.size() * sizeof(MappedVertex) +
+         compiled.fixed().lightmap.texels().size() * sizeof(PackedLight) +
+         compiled.moving().vertices.size() * sizeof(MeshVertex) + 3 * triangleCount() * sizeof(std::uint32_t);
 }
 std::size_t Renderer::objectCount() const {
-  return gl_->compiled.fixed().drawables.size() + gl_->compiled.moving().drawables.size();
+  return gl_->compiled.fixed().object_count + gl_->compiled.moving().drawables.size();
 }
 FrameCounts Renderer::counts() const {
-  return {gl_->moving.count(), gl_->fixed.shadedCount(), gl_->fixed.plainCount()};
+  return {gl_->moving.count(), gl_->lit.shadedCount() + gl_->mapped.shadedCount(),
+          gl_->lit.plainCount() + gl_->mapped.plainCount()};
 }
 
 }  // namespace coherency

@@ -15,7 +15,7 @@ namespace coherency {
 /// What a frame had in it.
 struct FrameCounts {
   std::size_t moving = 0;        ///< drawables that move
-  std::size_t fixed_shaded = 0;  ///< that do not, near enough to what does for its shadows
+  std::size_t fixed_shaded = 0;  ///< blocks of what does not, near enough to what does for its shadows
   std::size_t fixed_plain = 0;   ///< the others: a pixel of theirs costs next to nothing
 };
 
@@ -54,7 +54,7 @@ class Renderer {
   std::string rendererName() const;   ///< as GL_RENDERER has it
   std::size_t triangleCount() const;  ///< in a view, large faces cut for lighting
   std::size_t vertexCount() const;    ///< of those triangles
-  std::size_t vertexBytes() const;    ///< of them and the triangles, on the GPU
+  std::size_t vertexBytes() const;    ///< of them, the triangles, and the light of large faces, on the GPU
   std::size_t objectCount() const;    ///< that show faces
   FrameCounts counts() const;         ///< of the last frame
 

@@ -8,7 +8,7 @@ namespace coherency {
 struct RendererSettings {
   int samples = 4;              ///< antialiasing samples a pixel, the nearest the driver has; 1: none
   bool shadows = true;          ///< of what moves
-  int shadow_resolution = 512;  ///< texels a side, for 3.2 m
+  int shadow_resolution = 768;  ///< texels a side, for 3.2 m
   bool clip = true;             ///< leave out what is not in view; false is for measuring and testing
   BakeSettings bake = {};       ///< light of what never moves
 };

@@ -6,12 +6,15 @@
 namespace coherency {
 
 /// A compiled scene's triangles on the GPU, uploaded once. Attribute 0 is the position; 1 the light of what
-/// never moves and the normal of what does; 2 the drawable's number, which each draw command chooses by its
-/// base instance (OpenGL 4.5 has no gl_BaseInstance).
+/// never moves, or its place in the lightmap, and the normal of what moves; 2 the number that each draw
+/// command gives by its base instance (OpenGL 4.5 has no gl_BaseInstance); 3 the material of what never
+/// moves.
 class SceneBuffers {
  public:
   explicit SceneBuffers(const CompiledScene& scene);
-  void bindFixed() const { glBindVertexArray(fixed_.array.name()); }
+  void bindLit() const { glBindVertexArray(lit_.array.name()); }
+  /// With the lightmap as texture 1.
+  void bindMapped() const;
   void bindMoving() const { glBindVertexArray(moving_.array.name()); }
 
  private:
@@ -22,11 +25,14 @@ class SceneBuffers {
   };
 
   template <class Vertex>
-  void upload(Surfaces& to, const coherency::Surfaces<Vertex>& from);
+  void upload(Surfaces& to, const std::vector<Vertex>& vertices, const std::vector<std::uint32_t>& indices);
+  void upload(const Lightmap& lightmap);
 
-  Surfaces fixed_;
+  Surfaces lit_;
+  Surfaces mapped_;
   Surfaces moving_;
   Buffer numbers_;
+  Texture lightmap_;
 };
 
 }  // namespace coherency

@@ -25,26 +25,34 @@ const char* const kVertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 2) in uint object;
 
+#if MAPPED
+layout(location = 0) out vec2 place;            // in the lightmap
+layout(location = 2) flat out vec4 colour;     // and emission
+#else
 layout(location = 0) out vec3 light;      // that the surface sends to the eye where nothing moves above it
+#endif
 layout(location = 1) out vec4 shadow_at;  // in the map, or its first tile; share of light that what moves above keeps away
 
 vec3 inShadowMap(vec3 p) { return (shadow_from_world * vec4(p, 1.0)).xyz; }
 )";
 
 const char* const kFixedVertex = R"(
-struct Object {
-  vec4 offset_emission;
-  vec4 colour;
-};
-layout(std430, binding = 0) readonly buffer Objects { Object objects[]; };
-layout(location = 1) in vec4 baked;  // irradiance / BRIGHTEST, and the share for shadow_at
+layout(std430, binding = 0) readonly buffer Offsets { vec4 offsets[]; };  // of blocks
+layout(location = 1) in vec4 baked;     // place in the lightmap, or as its texels are
+layout(location = 3) in vec4 material;  // roots of the colour, and emission
 
 void main() {
-  float emission = objects[object].offset_emission.w;
-  vec3 p = objects[object].offset_emission.xyz + position;
+  vec3 p = offsets[object].xyz + position;
   gl_Position = clip_from_world * vec4(p, 1.0);
-  light = objects[object].colour.rgb * mix(BRIGHTEST * baked.rgb, vec3(1.0), emission);
-  if (SHADOWS) shadow_at = vec4(inShadowMap(p), baked.a * (1.0 - emission));
+  float share = 1.0 - material.a;
+#if MAPPED
+  place = baked.xy;
+  colour = vec4(material.rgb * material.rgb, material.a);
+#else
+  light = material.rgb * material.rgb * mix(BRIGHTEST * baked.rgb, vec3(1.0), material.a);
+  share *= baked.a;
+#endif
+  if (SHADOWS) shadow_at = vec4(inShadowMap(p), share);
 }
 )";
 
@@ -125,7 +133,13 @@ void main() {
 
 const char* const kFragment = R"(
 layout(binding = 0) uniform sampler2DShadow shadow_map;
+#if MAPPED
+layout(binding = 1) uniform sampler2D lightmap;  // irradiance / BRIGHTEST, and the share for shadow_at
+layout(location = 0) in vec2 place;
+layout(location = 2) flat in vec4 colour;
+#else
 layout(location = 0) in vec3 light;
+#endif
 layout(location = 1) in vec4 shadow_at;
 layout(location = 0) out vec4 picture;
 
@@ -145,8 +159,8 @@ vec3 encoded(vec3 c) {
   return max(curve, min(12.92 * c, 0.04045));
 }
 
-// Two lookups, each of which takes in two by two texels, half a texel off to both sides: they meet without a gap, and
-// edges are nearly as smooth as from four. Of what never moves each pixel looks in the tile in whose border it is less.
+// One lookup, which takes in two by two texels: on a software renderer a second one costs a tenth of the frame. Of what
+// never moves each pixel looks in the tile in whose border it is less.
 float shadow() {
   vec3 at = shadow_at.xyz;
   float share = shadow_at.w;
@@ -157,23 +171,32 @@ float shadow() {
     share *= clamp(5.0 - 5.0 * min(off_first, off_second), 0.0, 1.0);
     at = inTexture(off_first <= off_second ? at : in_second, off_first > off_second);
   }
-  vec3 half_texel = vec3(0.25 * TEXEL, 0.5 * TEXEL, 0.0);
-  float lit = texture(shadow_map, at - half_texel) + texture(shadow_map, at + half_texel);
-  return share * (1.0 - 0.5 * lit);
+  return share * (1.0 - texture(shadow_map, at));
 }
 
-void main() { picture = vec4(encoded(tone(SHADOWS ? light * (1.0 - shadow()) : light)), 1.0); }
+void main() {
+#if MAPPED
+  vec4 baked = texture(lightmap, place);
+  vec3 light = colour.rgb * mix(BRIGHTEST * baked.rgb, vec3(1.0), colour.a);
+  float share = baked.a;
+#else
+  float share = 1.0;
+#endif
+  picture = vec4(encoded(tone(SHADOWS ? light * (1.0 - share * shadow()) : light)), 1.0);
+}
 )";
 
 std::string defined(const ShaderVariant& variant) {
   const bool shadows = variant.shadow_resolution > 0;
-  return "#version 450 core\n#define FIXED " + std::string(variant.moves ? "false" : "true") +
-         "\n#define LAMPS " + std::to_string(variant.lamps) + "\n#define SHADOWS " +
-         (shadows ? "true" : "false") + "\n#define TEXEL " +
-         std::to_string(shadows ? 1.0 / variant.shadow_resolution : 0.0) + "\n#define BRIGHTEST " +
-         std::to_string(LitVertex::kBrightest) + "\n#define AMBIENT_SHADE " + std::to_string(kAmbientShade) +
-         "\n#define TILE_WIDTH " + std::to_string(kShadowTileWidth) + "\n#define TO_SHADOW_LIGHT vec3(" +
-         std::to_string(-kShadowLean.x) + ", 1.0, " + std::to_string(-kShadowLean.y) + ")\n";
+  return "#version 450 core\n#define FIXED " +
+         std::string(variant.light == LightSource::Lamps ? "false" : "true") + "\n#define MAPPED " +
+         (variant.light == LightSource::Lightmap ? "1" : "0") + "\n#define LAMPS " +
+         std::to_string(variant.lamps) + "\n#define SHADOWS " + (shadows ? "true" : "false") +
+         "\n#define TEXEL " + std::to_string(shadows ? 1.0 / variant.shadow_resolution : 0.0) +
+         "\n#define BRIGHTEST " + std::to_string(PackedLight::kBrightest) + "\n#define AMBIENT_SHADE " +
+         std::to_string(kAmbientShade) + "\n#define TILE_WIDTH " + std::to_string(kShadowTileWidth) +
+         "\n#define TO_SHADOW_LIGHT vec3(" + std::to_string(-kShadowLean.x) + ", 1.0, " +
+         std::to_string(-kShadowLean.y) + ")\n";
 }
 
 }  // namespace

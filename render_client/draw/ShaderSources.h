@@ -1,19 +1,23 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace coherency {
 
-// GLSL 4.50. What they read is laid out as ViewUniforms.cpp, FixedPass.h, MovingPass.h, OverheadShadow.cpp
+// GLSL 4.50. What they read is laid out as ViewUniforms.cpp, BlockPass.h, MovingPass.h, OverheadShadow.cpp
 // and TextOverlay.cpp write it.
 
 /// m, of a tile of the shadow map, on the floor.
 inline constexpr double kShadowTileWidth = 3.2;
 
+/// Where the light of a surface comes from. Lamps: it moves.
+enum class LightSource : std::uint8_t { Vertices, Lightmap, Lamps };
+
 /// What a shader is made for, so that it has no loops or branches.
 struct ShaderVariant {
-  bool moves = false;
+  LightSource light = LightSource::Vertices;
   std::size_t lamps = 0;      ///< of the chosen ones, for what moves
   int shadow_resolution = 0;  ///< texels a side of a tile of the map; 0: no shadows
 };

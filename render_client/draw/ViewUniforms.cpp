@@ -8,7 +8,7 @@ namespace coherency {
 namespace {
 
 /// As the shaders have it (std140).
-struct Block {
+struct Shared {
   glm::mat4 clip_from_world;
   glm::mat4 shadow_from_world{0.0F};
   glm::vec4 to_second_tile{0.0F};
@@ -22,12 +22,12 @@ glm::vec3 vec3(const Coord3& v) {
 
 }  // namespace
 
-ViewUniforms::ViewUniforms() : buffer_(GL_UNIFORM_BUFFER, sizeof(Block)) {}
+ViewUniforms::ViewUniforms() : buffer_(GL_UNIFORM_BUFFER, sizeof(Shared)) {}
 
 void ViewUniforms::write(std::size_t slot, const EyeView& view, const Ambient& ambient,
                          const OverheadShadow* shadow) {
   const Coord3 eye = view.t_world_eye.origin();
-  Block block;
+  Shared block;
   block.clip_from_world =
       glm::mat4(projection(view.view, view.near_m).glm() * view.t_world_eye.linear().rigidInverse().glm());
   block.sky = glm::vec4(vec3(ambient.sky), 0.0F);

@@ -14,6 +14,10 @@ WorldBox worldBox(const CompiledScene& scene, const Drawable& drawable) {
   return {middle - reach, middle + reach};
 }
 
+WorldBox worldBox(const Block& block) {
+  return {block.origin - block.half_extent, block.origin + block.half_extent};
+}
+
 double farthest(const WorldBox& box, const Coord3& point) {
   return glm::length(glm::max(glm::abs((box.low - point).glm()), glm::abs((box.high - point).glm())));
 }

@@ -12,6 +12,7 @@ struct WorldBox {
 
 /// About all of a drawable as the scene now stands.
 WorldBox worldBox(const CompiledScene& scene, const Drawable& drawable);
+WorldBox worldBox(const Block& block);
 /// Of the corner that is farthest from the point: a room's walls are farther than what stands before them.
 double farthest(const WorldBox& box, const Coord3& point);
 bool overlapFromAbove(const WorldBox& a, const WorldBox& b);

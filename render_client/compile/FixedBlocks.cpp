@@ -1,0 +1,171 @@
+#include "render_client/compile/FixedBlocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "render_client/compile/Grouping.h"
+
+namespace coherency {
+namespace {
+
+using Triangles = std::vector<std::uint32_t>;
+
+std::uint32_t count(const auto& list) {
+  return static_cast<std::uint32_t>(list.size());
+}
+
+std::uint8_t byte(double of_one) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(of_one, 0.0, 1.0) * 255.0));
+}
+
+glm::dvec3 inWorld(const FixedMesh& mesh, std::uint32_t vertex) {
+  return mesh.objectOf(vertex).origin.glm() + glm::dvec3(mesh.vertices[vertex].position);
+}
+
+/// Puts triangles of one kind, object by object, into blocks.
+template <class Vertex>
+class BlockBuilder {
+ public:
+  BlockBuilder(const FixedMesh& mesh, const Triangles& triangles)
+      : mesh_(mesh), triangles_(triangles), place_(mesh.vertices.size(), kNowhere) {}
+
+  /// shaded(v): whether something could be in shadow at a vertex; write(v, to): all but its position and
+  /// material.
+  template <class Shaded, class Write>
+  BlockSurfaces<Vertex> build(const Shaded& shaded, const Write& write) {
+    for (const bool wanted : {false, true}) {
+      findItems(shaded, wanted);
+      for (const std::vector<std::uint32_t>& members :
+           group(boxes_, FixedBlocks::kBlockTriangles, FixedBlocks::kBlockSize))
+        addBlock(members, wanted, write);
+    }
+    return std::move(surfaces_);
+  }
+
+ private:
+  static constexpr std::uint32_t kNowhere = UINT32_MAX;
+  struct Item {  ///< an object's triangles, in triangles_
+    std::size_t first, end;
+  };
+
+  template <class Shaded>
+  void findItems(const Shaded& shaded, bool wanted) {
+    items_.clear();
+    boxes_.clear();
+    for (std::size_t i = 0; i < triangles_.size();) {
+      const std::uint32_t object = mesh_.vertices[triangles_[i]].object;
+      const glm::dvec3 start = inWorld(mesh_, triangles_[i]);
+      GroupItem box{start, start, 0};
+      bool is_shaded = false;
+      const std::size_t first = i;
+      for (; i < triangles_.size() && mesh_.vertices[triangles_[i]].object == object; ++i) {
+        box.low = glm::min(box.low, inWorld(mesh_, triangles_[i]));
+        box.high = glm::max(box.high, inWorld(mesh_, triangles_[i]));
+        is_shaded = is_shaded || shaded(triangles_[i]);
+      }
+      if (is_shaded != wanted) continue;
+      box.triangles = static_cast<std::uint32_t>((i - first) / 3);
+      items_.push_back({first, i});
+      boxes_.push_back(box);
+    }
+  }
+
+  template <class Write>
+  void addBlock(const std::vector<std::uint32_t>& members, bool shaded, const Write& write) {
+    glm::dvec3 low = boxes_[members.front()].low;
+    glm::dvec3 high = boxes_[members.front()].high;
+    for (const std::uint32_t item : members) {
+      low = glm::min(low, boxes_[item].low);
+      high = glm::max(high, boxes_[item].high);
+    }
+    Block block{{count(surfaces_.indices), 0, count(surfaces_.vertices)},
+                Coord3(0.5 * (low + high)),
+                {},
+                0.0,
+                shaded};
+    for (const std::uint32_t item : members) addPart(items_[item], block, write);
+    block.range.index_count = count(surfaces_.indices) - block.range.first_index;
+    measure(block);
+    surfaces_.blocks.push_back(block);
+  }
+
+  template <class Write>
+  void addPart(const Item& item, const Block& block, const Write& write) {
+    const FixedObject& object = mesh_.objectOf(triangles_[item.first]);
+    const std::uint32_t first_index = count(surfaces_.indices);
+    const std::uint32_t first_vertex = count(surfaces_.vertices);
+    for (std::size_t i = item.first; i < item.end; ++i) {
+      const std::uint32_t v = triangles_[i];
+      if (place_[v] == kNowhere) {
+        place_[v] = count(surfaces_.vertices) - block.range.first_vertex;
+        const glm::vec3 at(inWorld(mesh_, v) - block.origin.glm());
+        Vertex vertex{{at.x, at.y, at.z}, {}, materialOf(object.object->faces()->material)};
+        write(v, vertex);
+        surfaces_.vertices.push_back(vertex);
+      }
+      surfaces_.indices.push_back(place_[v]);
+    }
+    surfaces_.parts.push_back({object.object,
+                               count(surfaces_.blocks),
+                               count(surfaces_.vertices) - first_vertex,
+                               {first_index, count(surfaces_.indices) - first_index, first_vertex}});
+  }
+
+  /// By the vertices as they are drawn.
+  void measure(Block& block) const {
+    glm::dvec3 extent(0.0);
+    double square = 0.0;
+    for (std::size_t v = block.range.first_vertex; v < surfaces_.vertices.size(); ++v) {
+      const float(&p)[3] = surfaces_.vertices[v].position;
+      const glm::dvec3 at(p[0], p[1], p[2]);
+      extent = glm::max(extent, glm::abs(at));
+      square = std::max(square, glm::dot(at, at));
+    }
+    block.half_extent = Coord3(extent);
+    block.radius = std::sqrt(square);
+  }
+
+  const FixedMesh& mesh_;
+  const Triangles& triangles_;
+  Triangles place_;  ///< by vertex of the mesh: in its block
+  std::vector<Item> items_;
+  std::vector<GroupItem> boxes_;
+  BlockSurfaces<Vertex> surfaces_;
+};
+
+Triangles trianglesWhere(const Triangles& all, const auto& wanted) {
+  Triangles some;
+  for (std::size_t i = 0; i + 2 < all.size(); i += 3)
+    if (wanted(all[i])) some.insert(some.end(), {all[i], all[i + 1], all[i + 2]});
+  return some;
+}
+
+}  // namespace
+
+PackedMaterial materialOf(const Material& material) {
+  const auto root = [](double share) { return byte(std::sqrt(std::max(share, 0.0))); };
+  return {
+      {root(material.colour.x), root(material.colour.y), root(material.colour.z), byte(material.emission)}};
+}
+
+FixedBlocks::FixedBlocks(const FixedMesh& mesh, const Triangles& uncut,
+                         const std::vector<SurfaceLight>& light, double finest)
+    : lightmap(mesh, uncut, light, finest), object_count(mesh.objects.size()) {
+  const Triangles with_light =
+      trianglesWhere(mesh.indices, [&](std::uint32_t v) { return !lightmap.has(v); });
+  lit = BlockBuilder<LitVertex>(mesh, with_light)
+            .build([&](std::uint32_t v) { return light[v].shade > kWorthShading; },
+                   [&](std::uint32_t v, LitVertex& vertex) { vertex.light = packed(light[v]); });
+  const Triangles flat = trianglesWhere(uncut, [&](std::uint32_t v) { return lightmap.has(v); });
+  mapped = BlockBuilder<MappedVertex>(mesh, flat)
+               .build([&](std::uint32_t v) { return lightmap.isShaded(v); },
+                      [&](std::uint32_t v, MappedVertex& vertex) {
+                        const glm::vec2 place = lightmap.place(mesh, v);
+                        vertex.place = {place.x, place.y};
+                      });
+}
+
+}  // namespace coherency

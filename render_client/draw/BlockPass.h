@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "render_client/cull/Enclosures.h"
+#include "render_client/cull/SphereTree.h"
+#include "render_client/draw/DrawCommands.h"
+#include "render_client/draw/NearestFirst.h"
+#include "render_client/draw/OverheadShadow.h"
+#include "render_client/draw/ShaderSources.h"
+#include "render_client/draw/SlottedBuffer.h"
+
+namespace coherency {
+
+/// Draws blocks of one kind (FixedBlocks). Only what something that moves may cast a shadow on is drawn with
+/// a shader that looks for it in every pixel.
+class BlockPass {
+ public:
+  /// `blocks` must outlive this. `shadow_resolution`: texels a side of the map; 0: no shadows.
+  BlockPass(const std::vector<Block>& blocks, LightSource light, int shadow_resolution);
+
+  /// Chooses what is drawn in this frame, by all its views: what one of them may see. `shadow` may be null.
+  void begin(const Coord3& eye, std::size_t view_count, const ViewPyramids& views,
+             const Enclosures& enclosures, const OverheadShadow* shadow);
+  /// Draws view number `slot` of the frame, whose uniforms and blocks' buffers are bound, into the bound
+  /// framebuffer.
+  void draw(std::size_t slot, const Coord3& eye);
+
+  std::size_t shadedCount() const { return shaded_.size(); }  ///< blocks, in this frame
+  std::size_t plainCount() const { return plain_.size(); }
+
+ private:
+  const std::vector<Block>& blocks_;
+  Program plain_program_;
+  Program shaded_program_;
+  DrawCommands plain_;
+  DrawCommands shaded_;
+  SphereTree spheres_;
+  std::vector<std::uint32_t> seen_;
+  NearestFirst order_;
+  std::vector<WorldBox> boxes_;
+  std::vector<glm::vec4> offsets_;  ///< of the blocks' origins from the eye
+  SlottedBuffer offset_buffer_;
+};
+
+}  // namespace coherency
