@@ -69,7 +69,7 @@ struct BlockSurfaces {
 /// blocks have about kBlockTriangles triangles, and objects further apart than kBlockSize do not share one.
 struct FixedBlocks {
   static constexpr std::size_t kBlockTriangles = 256;
-  static constexpr double kBlockSize = 3.0;  ///< m
+  static constexpr double kBlockSize = 4.0;  ///< m
 
   BlockSurfaces<LitVertex> lit;
   BlockSurfaces<MappedVertex> mapped;
