@@ -45,8 +45,8 @@ Mesh meshOf(const VRObject& object) {
 void FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_object) {
   if (object.faces() == nullptr) return;
   const Mesh mesh = meshOf(object);
-  const double hand = handedness(t_world_object);
-  if (mesh.indices.empty() || std::abs(hand) < kFlat) return;
+  const Turn turn = turnOf(t_world_object);
+  if (mesh.indices.empty() || turn == Turn::Flat) return;
   const glm::dmat3 linear(t_world_object.glm());
   const glm::dmat3 normals = normalMatrix(linear);
   const auto first = static_cast<std::uint32_t>(vertices.size());
@@ -59,7 +59,7 @@ void FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_objec
     size = std::max(size, 2.0 * glm::length(position));
   }
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const bool mirrored = hand < 0.0;
+    const bool mirrored = turn == Turn::Mirrored;
     for (const std::size_t c : {0U, mirrored ? 2U : 1U, mirrored ? 1U : 2U})
       indices.push_back(first + mesh.indices[i + c]);
   }

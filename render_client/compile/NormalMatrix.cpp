@@ -1,5 +1,7 @@
 #include "render_client/compile/NormalMatrix.h"
 
+#include <cmath>
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -14,11 +16,15 @@ glm::dmat3 normalMatrix(const glm::dmat3& linear) {
   return cofactor * ((det < 0.0 ? -1.0 : 1.0) / size);
 }
 
-double handedness(const TransformMatrix& t) {
+Turn turnOf(const TransformMatrix& t) {
+  constexpr double kFlat = 1e-9;
   const glm::dmat3 linear(t.glm());
-  const double size = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
-  if (!t.isFinite() || !(size > 0.0)) return 0.0;
-  return glm::determinant(linear) / size;
+  const double det = glm::determinant(linear);
+  const double size =
+      glm::dot(linear[0], linear[0]) * glm::dot(linear[1], linear[1]) * glm::dot(linear[2], linear[2]);
+  const bool finite = std::isfinite(size) && isFinite(t.origin());
+  if (!finite || !(det * det >= kFlat * kFlat * size) || !(size > 0.0)) return Turn::Flat;
+  return det < 0.0 ? Turn::Mirrored : Turn::Upright;
 }
 
 }  // namespace coherency

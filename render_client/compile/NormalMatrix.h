@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include <glm/mat3x3.hpp>
 
 #include "common/math/TransformMatrix.h"
@@ -10,11 +12,9 @@ namespace coherency {
 /// det(linear) is not 0.
 glm::dmat3 normalMatrix(const glm::dmat3& linear);
 
-/// Determinant of the 3x3 part over the product of its columns' lengths: 1 or -1 for a (mirrored) box, near 0
-/// for a flattened one; 0 where anything is not finite or a column is zero.
-double handedness(const TransformMatrix& t);
-
-/// Of what is flatter than this nothing is drawn.
-inline constexpr double kFlat = 1e-9;
+/// What a transform does to a box. Of what is flat nothing is drawn: where the determinant is less than 1e-9
+/// of the product of the columns' lengths, or anything is not finite.
+enum class Turn : std::uint8_t { Upright, Mirrored, Flat };
+Turn turnOf(const TransformMatrix& t);
 
 }  // namespace coherency

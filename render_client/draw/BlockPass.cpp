@@ -26,38 +26,34 @@ BlockPass::BlockPass(const std::vector<Block>& blocks, LightSource light, int sh
       shaded_(blocks.size()),
       spheres_(spheresOf(blocks)),
       order_(blocks.size()),
-      offsets_(blocks.size()),
-      offset_buffer_(GL_SHADER_STORAGE_BUFFER, offsets_.size() * sizeof(glm::vec4)) {
+      offsets_(blocks.size() * sizeof(glm::vec4)) {
   seen_.reserve(blocks.size());
   for (const Block& block : blocks) boxes_.push_back(worldBox(block));
 }
 
-void BlockPass::begin(const Coord3& eye, std::size_t view_count, const ViewPyramids& views,
-                      const Enclosures& enclosures, const OverheadShadow* shadow) {
-  offset_buffer_.reserve(view_count);
+void BlockPass::begin(const Coord3& origin, const ViewPyramids& views, const Enclosures& enclosures,
+                      const OverheadShadow* shadow) {
   seen_.clear();
   spheres_.findSeen(views, seen_);
-  std::erase_if(seen_,
-                [&](std::uint32_t i) { return enclosures.hide(blocks_[i].origin, blocks_[i].half_extent); });
   order_.clear();
-  for (const std::uint32_t i : seen_) order_.add(i, farthest(boxes_[i], eye));
+  for (const std::uint32_t i : seen_)
+    if (!enclosures.hide(blocks_[i].origin, blocks_[i].half_extent))
+      order_.add(i, farthest(boxes_[i], origin));
   order_.sort();
-  plain_.clear();
-  shaded_.clear();
+  plain_.begin();
+  shaded_.begin();
+  auto* offset = offsets_.next<glm::vec4>();
+  std::size_t place = 0;
   for (const NearestFirst::Shown& shown : order_.shown()) {
     const Block& block = blocks_[shown.number];
     const bool in_shadow = shadow != nullptr && block.shaded && shadow->reaches(boxes_[shown.number]);
-    (in_shadow ? shaded_ : plain_).add(block.range, shown.number, false);
+    offset[place] = glm::vec4(glm::dvec4((block.origin - origin).glm(), 0.0));
+    (in_shadow ? shaded_ : plain_).add(block.range, place++);
   }
-  plain_.upload();
-  shaded_.upload();
 }
 
-void BlockPass::draw(std::size_t slot, const Coord3& eye) {
-  for (const std::uint32_t i : seen_)
-    offsets_[i] = glm::vec4(glm::dvec4((blocks_[i].origin - eye).glm(), 0.0));
-  offset_buffer_.write(slot, offsets_.data(), offsets_.size() * sizeof(glm::vec4));
-  offset_buffer_.bind(slot, 0);
+void BlockPass::draw() const {
+  offsets_.bind(GL_SHADER_STORAGE_BUFFER, 0);
   glUseProgram(shaded_program_.name());
   shaded_.draw();
   glUseProgram(plain_program_.name());

@@ -10,7 +10,7 @@
 #include "render_client/draw/NearestFirst.h"
 #include "render_client/draw/OverheadShadow.h"
 #include "render_client/draw/ShaderSources.h"
-#include "render_client/draw/SlottedBuffer.h"
+#include "render_client/draw/StreamBuffer.h"
 
 namespace coherency {
 
@@ -21,12 +21,12 @@ class BlockPass {
   /// `blocks` must outlive this. `shadow_resolution`: texels a side of the map; 0: no shadows.
   BlockPass(const std::vector<Block>& blocks, LightSource light, int shadow_resolution);
 
-  /// Chooses what is drawn in this frame, by all its views: what one of them may see. `shadow` may be null.
-  void begin(const Coord3& eye, std::size_t view_count, const ViewPyramids& views,
-             const Enclosures& enclosures, const OverheadShadow* shadow);
-  /// Draws view number `slot` of the frame, whose uniforms and blocks' buffers are bound, into the bound
-  /// framebuffer.
-  void draw(std::size_t slot, const Coord3& eye);
+  /// Chooses what is drawn in this frame, by all its views: what one of them may see. `origin`: of the
+  /// coordinates in which it is drawn, in the world, near the eyes. `shadow` may be null.
+  void begin(const Coord3& origin, const ViewPyramids& views, const Enclosures& enclosures,
+             const OverheadShadow* shadow);
+  /// Draws a view of the frame, whose uniforms and blocks' buffers are bound, into the bound framebuffer.
+  void draw() const;
 
   std::size_t shadedCount() const { return shaded_.size(); }  ///< blocks, in this frame
   std::size_t plainCount() const { return plain_.size(); }
@@ -41,8 +41,7 @@ class BlockPass {
   std::vector<std::uint32_t> seen_;
   NearestFirst order_;
   std::vector<WorldBox> boxes_;
-  std::vector<glm::vec4> offsets_;  ///< of the blocks' origins from the eye
-  SlottedBuffer offset_buffer_;
+  StreamBuffer offsets_;  ///< of the blocks' origins, in the order in which they are drawn
 };
 
 }  // namespace coherency

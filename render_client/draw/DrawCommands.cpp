@@ -5,39 +5,33 @@
 
 namespace coherency {
 
-DrawCommands::DrawCommands(std::size_t capacity) : commands_(std::max<std::size_t>(capacity, 1)) {
-  glNamedBufferStorage(buffer_.name(), static_cast<GLsizeiptr>(commands_.size() * sizeof(Command)), nullptr,
-                       GL_DYNAMIC_STORAGE_BIT);
-}
+DrawCommands::DrawCommands(std::size_t capacity)
+    : capacity_(std::max<std::size_t>(capacity, 1)), buffer_(capacity_ * sizeof(Command)) {}
 
-void DrawCommands::clear() {
+void DrawCommands::begin() {
+  commands_ = buffer_.next<Command>();
   upright_ = mirrored_ = 0;
 }
 
 void DrawCommands::add(const IndexRange& range, std::size_t number, bool mirrored) {
-  assert(upright_ + mirrored_ < commands_.size());
-  const std::size_t at = mirrored ? commands_.size() - ++mirrored_ : upright_++;
+  assert(upright_ + mirrored_ < capacity_);
+  const std::size_t at = mirrored ? capacity_ - ++mirrored_ : upright_++;
   commands_[at] = {range.index_count, 1, range.first_index, static_cast<GLint>(range.first_vertex),
                    static_cast<GLuint>(number)};
 }
 
-void DrawCommands::upload() {
-  glNamedBufferSubData(buffer_.name(), 0, static_cast<GLsizeiptr>(commands_.size() * sizeof(Command)),
-                       commands_.data());
-}
-
 void DrawCommands::draw() const {
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer_.name());
-  const auto issue = [](std::size_t first, std::size_t count) {
+  const auto issue = [this](std::size_t first, std::size_t count) {
     if (count == 0) return;
     // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset in a pointer's clothes
-    const void* offset = reinterpret_cast<const void*>(first * sizeof(Command));
+    const void* offset = reinterpret_cast<const void*>(buffer_.offset() + first * sizeof(Command));
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, offset, static_cast<GLsizei>(count), 0);
   };
   issue(0, upright_);
   if (mirrored_ == 0) return;
   glFrontFace(GL_CW);
-  issue(commands_.size() - mirrored_, mirrored_);
+  issue(capacity_ - mirrored_, mirrored_);
   glFrontFace(GL_CCW);
 }
 

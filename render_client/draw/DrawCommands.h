@@ -1,9 +1,7 @@
 #pragma once
 
-#include <vector>
-
-#include "render_client/compile/CompiledScene.h"
-#include "render_client/draw/GlObjects.h"
+#include "render_client/compile/FixedBlocks.h"
+#include "render_client/draw/StreamBuffer.h"
 
 namespace coherency {
 
@@ -13,11 +11,10 @@ class DrawCommands {
  public:
   explicit DrawCommands(std::size_t capacity);
 
-  void clear();
+  void begin();
   /// `number` reaches the vertex shader. No more than `capacity`.
-  void add(const IndexRange& range, std::size_t number, bool mirrored);
+  void add(const IndexRange& range, std::size_t number, bool mirrored = false);
   std::size_t size() const { return upright_ + mirrored_; }
-  void upload();
   /// With the scene's buffers bound; culling as the caller has set it. Leaves GL_CCW as the front face.
   void draw() const;
 
@@ -30,10 +27,11 @@ class DrawCommands {
     GLuint base_instance;
   };
 
-  std::vector<Command> commands_;  ///< upright ones from the front, mirrored ones from the back
+  std::size_t capacity_;
+  StreamBuffer buffer_;
+  Command* commands_ = nullptr;  ///< upright ones from the front, mirrored ones from the back
   std::size_t upright_ = 0;
   std::size_t mirrored_ = 0;
-  Buffer buffer_;
 };
 
 }  // namespace coherency

@@ -14,8 +14,7 @@ MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, int s
                            fragmentShader({LightSource::Lamps, lamp_count, shadow_resolution}))),
       commands_(scene.moving().drawables.size()),
       order_(scene.moving().drawables.size()),
-      objects_(scene.moving().drawables.size()),
-      object_buffer_(GL_SHADER_STORAGE_BUFFER, objects_.size() * sizeof(Object)) {
+      objects_(scene.moving().drawables.size() * sizeof(Object)) {
   const std::size_t roots = std::max<std::size_t>(scene.movingRoots().size(), 1);
   glNamedBufferStorage(lamp_buffer_.name(), static_cast<GLsizeiptr>(roots * sizeof(LampSet)), nullptr,
                        GL_DYNAMIC_STORAGE_BIT);
@@ -39,48 +38,45 @@ void MovingPass::writeLamps(const CompiledScene& scene, const LampSets& lamps) {
   }
 }
 
-void MovingPass::begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& eye,
-                       std::size_t view_count, const ViewPyramids& views, const Enclosures& enclosures) {
+void MovingPass::begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& origin,
+                       const ViewPyramids& views, const Enclosures& enclosures) {
   writeLamps(scene, lamps);
-  object_buffer_.reserve(view_count);
   order_.clear();
   const std::vector<Drawable>& drawables = scene.moving().drawables;
   for (std::size_t i = 0; i < drawables.size(); ++i) {
-    if (std::abs(handedness(scene.worldTransform(drawables[i]))) < kFlat ||
+    if (turnOf(scene.worldTransform(drawables[i])) == Turn::Flat ||
         views.sees(scene.worldSphere(drawables[i])) == InView::None)
       continue;
     const WorldBox box = worldBox(scene, drawables[i]);
     if (!enclosures.hide(0.5 * (box.low + box.high), 0.5 * (box.high - box.low)))
-      order_.add(i, farthest(box, eye));
+      order_.add(i, farthest(box, origin));
   }
   order_.sort();
-  commands_.clear();
+  commands_.begin();
+  auto* object = objects_.next<Object>();
   for (const NearestFirst::Shown& shown : order_.shown()) {
     const Drawable& drawable = drawables[shown.number];
-    commands_.add(drawable.range, shown.number, handedness(scene.worldTransform(drawable)) < 0.0);
+    object[commands_.size()] = objectOf(drawable, origin, scene);
+    commands_.add(drawable.range, commands_.size(), turnOf(scene.worldTransform(drawable)) == Turn::Mirrored);
   }
-  commands_.upload();
 }
 
-void MovingPass::writeObject(std::size_t number, const Coord3& eye, const CompiledScene& scene) {
-  const Drawable& drawable = scene.moving().drawables[number];
-  const glm::dmat4 from_eye = fromEye(eye, scene.worldTransform(drawable), drawable.origin);
-  const glm::dmat3 normals = normalMatrix(glm::dmat3(from_eye));
+MovingPass::Object MovingPass::objectOf(const Drawable& drawable, const Coord3& origin,
+                                        const CompiledScene& scene) {
+  const glm::dmat4 from_origin = fromEye(origin, scene.worldTransform(drawable), drawable.origin);
+  const glm::dmat3 normals = normalMatrix(glm::dmat3(from_origin));
   const Material& material = drawable.faces->material;
   const MovingRoot& root = scene.movingRoots()[drawable.root];
-  objects_[number] = {glm::mat4(from_eye),
-                      glm::vec4(glm::dvec4(normals[0], material.emission)),
-                      glm::vec4(glm::dvec4(normals[1], 0.0)),
-                      glm::vec4(glm::dvec4(normals[2], 0.0)),
-                      glm::vec4(glm::dvec4(material.colour.glm(), material.gloss)),
-                      glm::vec4(glm::dvec4((scene.place(root) - eye).glm(), drawable.root))};
+  return {glm::mat4(from_origin),
+          glm::vec4(glm::dvec4(normals[0], material.emission)),
+          glm::vec4(glm::dvec4(normals[1], 0.0)),
+          glm::vec4(glm::dvec4(normals[2], 0.0)),
+          glm::vec4(glm::dvec4(material.colour.glm(), material.gloss)),
+          glm::vec4(glm::dvec4((scene.place(root) - origin).glm(), drawable.root))};
 }
 
-void MovingPass::draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene,
-                      const SceneBuffers& buffers) {
-  for (const NearestFirst::Shown& shown : order_.shown()) writeObject(shown.number, eye, scene);
-  object_buffer_.write(slot, objects_.data(), objects_.size() * sizeof(Object));
-  object_buffer_.bind(slot, 0);
+void MovingPass::draw(const SceneBuffers& buffers) const {
+  objects_.bind(GL_SHADER_STORAGE_BUFFER, 0);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, lamp_buffer_.name());
   buffers.bindMoving();
   glUseProgram(program_.name());

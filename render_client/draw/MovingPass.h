@@ -12,7 +12,7 @@
 #include "render_client/draw/LampSets.h"
 #include "render_client/draw/NearestFirst.h"
 #include "render_client/draw/SceneBuffers.h"
-#include "render_client/draw/SlottedBuffer.h"
+#include "render_client/draw/StreamBuffer.h"
 #include "render_client/draw/WorldBox.h"
 
 namespace coherency {
@@ -28,10 +28,11 @@ class MovingPass {
 
   /// Chooses what is drawn in this frame, by all its views: what one of them may see. `lamps` as updated for
   /// this frame.
-  void begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& eye, std::size_t view_count,
+  /// `origin`: of the coordinates in which it is drawn, in the world, near the eyes.
+  void begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& origin,
              const ViewPyramids& views, const Enclosures& enclosures);
-  /// Draws view number `slot` of the frame, whose uniforms are bound, into the bound framebuffer.
-  void draw(std::size_t slot, const Coord3& eye, const CompiledScene& scene, const SceneBuffers& buffers);
+  /// Draws a view of the frame, whose uniforms are bound, into the bound framebuffer.
+  void draw(const SceneBuffers& buffers) const;
 
   std::size_t count() const { return commands_.size(); }  ///< drawables, in this frame
 
@@ -43,7 +44,7 @@ class MovingPass {
     glm::vec4 normal_y;
     glm::vec4 normal_z;
     glm::vec4 colour_gloss;
-    glm::vec4 place_root;  ///< MovingRoot's place from the eye, and its number (exact up to 2^24)
+    glm::vec4 place_root;  ///< MovingRoot's place, and its number (exact up to 2^24)
   };
   struct Lamp {
     glm::vec4 position_reach;  ///< from the place: what rests is written once, wherever eyes go
@@ -55,13 +56,12 @@ class MovingPass {
   };
 
   void writeLamps(const CompiledScene& scene, const LampSets& lamps);
-  void writeObject(std::size_t number, const Coord3& eye, const CompiledScene& scene);
+  static Object objectOf(const Drawable& drawable, const Coord3& origin, const CompiledScene& scene);
 
   Program program_;
   DrawCommands commands_;
   NearestFirst order_;
-  std::vector<Object> objects_;
-  SlottedBuffer object_buffer_;
+  StreamBuffer objects_;  ///< in the order in which they are drawn
   Buffer lamp_buffer_;
 };
 

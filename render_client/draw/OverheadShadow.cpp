@@ -62,10 +62,8 @@ void makeMap(GLuint texture, int resolution) {
 OverheadShadow::OverheadShadow(int resolution, std::size_t moving_count)
     : resolution_(checkedResolution(resolution)),
       program_(makeProgram("shadow", kShadowVertexShader, kShadowFragmentShader)),
-      matrices_(GL_SHADER_STORAGE_BUFFER, moving_count * sizeof(glm::mat4)),
       tiles_{Tile(moving_count), Tile(moving_count)} {
   casters_.reserve(moving_count);
-  matrices_.reserve(tiles_.size());
   makeMap(depth_.name(), resolution);
   glClearTexImage(depth_.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
@@ -73,7 +71,8 @@ OverheadShadow::OverheadShadow(int resolution, std::size_t moving_count)
   glNamedFramebufferReadBuffer(frame_.name(), GL_NONE);
 }
 
-OverheadShadow::Tile::Tile(std::size_t moving_count) : commands(moving_count) {
+OverheadShadow::Tile::Tile(std::size_t moving_count)
+    : commands(moving_count), matrices(moving_count * sizeof(glm::mat4)) {
   for (Casters* list : {&casters, &drawn}) {
     list->drawables.reserve(moving_count);
     list->map_from_mesh.reserve(moving_count);
@@ -92,7 +91,6 @@ WorldBox OverheadShadow::Tile::region() const {
 
 void OverheadShadow::Tile::add(const CompiledScene& scene, const Drawable& drawable) {
   const TransformMatrix& t_world_object = scene.worldTransform(drawable);
-  commands.add(drawable.range, casters.drawables.size(), handedness(t_world_object) < 0.0);
   casters.drawables.push_back(&drawable);
   casters.map_from_mesh.emplace_back(kMapFromMiddle * fromEye(map_middle, t_world_object, drawable.origin));
 }
@@ -118,13 +116,11 @@ void OverheadShadow::placeTiles(const EyeView& view, const ViewPyramids& views) 
 void OverheadShadow::chooseCasters(const CompiledScene& scene) {
   casters_.clear();
   for (Tile& tile : tiles_) {
-    tile.commands.clear();
     tile.casters.drawables.clear();
     tile.casters.map_from_mesh.clear();
   }
   for (const Drawable& drawable : scene.moving().drawables) {
-    if (drawable.faces->material.emission >= kShines ||
-        std::abs(handedness(scene.worldTransform(drawable))) < kFlat)
+    if (drawable.faces->material.emission >= kShines || turnOf(scene.worldTransform(drawable)) == Turn::Flat)
       continue;
     const WorldBox box = worldBox(scene, drawable);
     bool casts = false;
@@ -138,29 +134,34 @@ void OverheadShadow::chooseCasters(const CompiledScene& scene) {
   }
 }
 
-void OverheadShadow::render(const CompiledScene& scene, const SceneBuffers& buffers, const EyeView& view,
-                            const ViewPyramids& views) {
+void OverheadShadow::update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views) {
   placeTiles(view, views);
   chooseCasters(scene);
+}
+
+void OverheadShadow::draw(const CompiledScene& scene, const SceneBuffers& buffers) {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glUseProgram(program_.name());
   buffers.bindMoving();
   glEnable(GL_SCISSOR_TEST);
   for (std::size_t t = 0; t < tile_count_; ++t)
-    if (tiles_[t].casters != tiles_[t].drawn) draw(t);
+    if (tiles_[t].casters != tiles_[t].drawn) drawTile(t, scene);
   glDisable(GL_SCISSOR_TEST);
 }
 
-void OverheadShadow::draw(std::size_t number) {
+void OverheadShadow::drawTile(std::size_t number, const CompiledScene& scene) {
   Tile& tile = tiles_[number];
   const int left = static_cast<int>(number) * resolution_;
   glViewport(left, 0, resolution_, resolution_);
   glScissor(left, 0, resolution_, resolution_);
   glClear(GL_DEPTH_BUFFER_BIT);
+  tile.commands.begin();
+  for (const Drawable* drawable : tile.casters.drawables)
+    tile.commands.add(drawable->range, tile.commands.size(),
+                      turnOf(scene.worldTransform(*drawable)) == Turn::Mirrored);
   const std::vector<glm::mat4>& matrices = tile.casters.map_from_mesh;
-  tile.commands.upload();
-  matrices_.write(number, matrices.data(), matrices.size() * sizeof(glm::mat4));
-  matrices_.bind(number, 0);
+  std::copy(matrices.begin(), matrices.end(), tile.matrices.next<glm::mat4>());
+  tile.matrices.bind(GL_SHADER_STORAGE_BUFFER, 0);
   tile.commands.draw();
   std::swap(tile.casters, tile.drawn);
 }

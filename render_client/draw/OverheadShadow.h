@@ -10,7 +10,7 @@
 #include "render_client/draw/EyeView.h"
 #include "render_client/draw/GlObjects.h"
 #include "render_client/draw/SceneBuffers.h"
-#include "render_client/draw/SlottedBuffer.h"
+#include "render_client/draw/StreamBuffer.h"
 #include "render_client/draw/WorldBox.h"
 
 namespace coherency {
@@ -27,16 +27,17 @@ class OverheadShadow {
   /// Throws std::runtime_error where the driver has no such resolution. `moving_count`: of drawables.
   OverheadShadow(int resolution, std::size_t moving_count);
 
-  /// Draws the map for the vehicles of a view.
-  void render(const CompiledScene& scene, const SceneBuffers& buffers, const EyeView& view,
-              const ViewPyramids& views);
+  /// For the vehicles of a view.
+  void update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views);
+  /// Draws the map, as last updated for.
+  void draw(const CompiledScene& scene, const SceneBuffers& buffers);
 
-  /// After render(): whether what never moves and is in the box may be in a shadow.
+  /// After update(): whether what never moves and is in the box may be in a shadow.
   bool reaches(const WorldBox& box) const;
-  /// After render(): takes points in the world's axes from `eye` to the first tile: across it -1..1 twice,
+  /// After update(): takes points in the world's axes from `eye` to the first tile: across it -1..1 twice,
   /// and height 0..1.
   glm::mat4 mappingFrom(const Coord3& eye) const;
-  /// After render(): to be added to the same for the second tile; out of all tiles where there is none.
+  /// After update(): to be added to the same for the second tile; out of all tiles where there is none.
   glm::vec3 toSecondTile() const;
   void bindTexture() const { glBindTextureUnit(0, depth_.name()); }
 
@@ -55,19 +56,19 @@ class OverheadShadow {
     Coord3 floor_middle;
     Coord3 map_middle;  ///< where what mappingFrom() gives is 0
     DrawCommands commands;
+    StreamBuffer matrices;
     Casters casters;
     Casters drawn;  ///< what is in the texture
   };
 
   void placeTiles(const EyeView& view, const ViewPyramids& views);
   void chooseCasters(const CompiledScene& scene);
-  void draw(std::size_t number);
+  void drawTile(std::size_t number, const CompiledScene& scene);
 
   int resolution_;
   Texture depth_;
   Framebuffer frame_;
   Program program_;
-  SlottedBuffer matrices_;  ///< a slot a tile
   std::array<Tile, 2> tiles_;
   std::size_t tile_count_ = 1;  ///< in this frame
   std::vector<WorldBox> casters_;

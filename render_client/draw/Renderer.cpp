@@ -83,25 +83,31 @@ struct Renderer::Gl {
     }
   }
 
-  void draw(std::span<const EyeView> views) {
-    const Coord3 eye = views.front().t_world_eye.origin();
+  /// All that is done for a frame before the GPU is told to draw it.
+  void prepare(std::span<const EyeView> views) {
+    compiled.update();
+    clipTo(views);
+    if (views.empty()) return;
+    const Coord3 origin = views.front().t_world_eye.origin();
+    if (shadow) shadow->update(compiled, views.front(), pyramids);
     const OverheadShadow* const map = shadow ? &*shadow : nullptr;
-    uniforms.reserve(views.size());
     lamps.update();
-    moving.begin(compiled, lamps, eye, views.size(), pyramids, enclosures);
-    lit.begin(eye, views.size(), pyramids, enclosures, map);
-    mapped.begin(eye, views.size(), pyramids, enclosures, map);
-    if (map != nullptr) map->bindTexture();
-    for (std::size_t slot = 0; slot < views.size(); ++slot) {
-      const EyeView& view = views[slot];
-      uniforms.write(slot, view, ambient, map);
-      uniforms.bind(slot);
-      glViewport(view.x, view.y, view.width, view.height);
-      moving.draw(slot, view.t_world_eye.origin(), compiled, buffers);
-      buffers.bindLit();
-      lit.draw(slot, view.t_world_eye.origin());
+    uniforms.write(views, origin, ambient, map);
+    moving.begin(compiled, lamps, origin, pyramids, enclosures);
+    lit.begin(origin, pyramids, enclosures, map);
+    mapped.begin(origin, pyramids, enclosures, map);
+  }
+
+  void draw(std::span<const EyeView> views) {
+    if (shadow) shadow->bindTexture();
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      uniforms.bind(i);
+      glViewport(views[i].x, views[i].y, views[i].width, views[i].height);
+      moving.draw(buffers);
       buffers.bindMapped();
-      mapped.draw(slot, view.t_world_eye.origin());
+      mapped.draw();
+      buffers.bindLit();  // the sky is among it: behind everything
+      lit.draw();
     }
   }
 
@@ -135,17 +141,19 @@ Renderer::Renderer(const VRObject& root, const Illumination& illumination, int w
 
 Renderer::~Renderer() = default;
 
+void Renderer::prepare(std::span<const EyeView> views) {
+  gl_->prepare(views);
+}
+
 void Renderer::draw(std::span<const EyeView> views) {
   setDrawingState();
-  gl_->compiled.update();
-  gl_->clipTo(views);
-  if (gl_->shadow && !views.empty())
-    gl_->shadow->render(gl_->compiled, gl_->buffers, views.front(), gl_->pyramids);
+  gl_->prepare(views);
+  if (gl_->shadow && !views.empty()) gl_->shadow->draw(gl_->compiled, gl_->buffers);
   gl_->target.bind();
   const glm::vec3 sky(gl_->ambient.sky.glm());
   glClearColor(encoded(tone(sky.r)), encoded(tone(sky.g)), encoded(tone(sky.b)), 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if (!views.empty()) gl_->draw(views);
+  gl_->draw(views);
   gl_->resolved = false;
   assert(glGetError() == GL_NO_ERROR);
 }

@@ -42,6 +42,8 @@ class Renderer {
   /// Draws the scene as it now stands into the off-screen target, one view after another. All of them are of
   /// one vehicle.
   void draw(std::span<const EyeView> views);
+  /// The part of draw() that is the processor's alone: transforms, clipping, and what to draw; for measuring.
+  void prepare(std::span<const EyeView> views);
   /// Draws lines of text over the picture, from the top left corner of each view.
   void drawText(std::span<const EyeView> views, const std::string& text);
   /// Resolves the target and copies it to the window's framebuffer (0), scaled to fit `width` x `height`.

@@ -5,13 +5,14 @@
 namespace coherency {
 namespace {
 
-// Positions are in the world's axes, m from the eye. In a tile of the shadow map: -1..1 across it twice, and
-// height 0..1.
+// Positions are in the world's axes, m from a place near the eyes. In a tile of the shadow map: -1..1 across
+// it twice, and height 0..1.
 const char* const kView = R"(
 layout(std140, binding = 0) uniform View {
   mat4 clip_from_world;
   mat4 shadow_from_world;  // to the first tile of the shadow map
   vec4 to_second_tile;     // from the first
+  vec4 eye;
   vec4 sky;
   vec4 ground;
 };
@@ -91,7 +92,7 @@ void main() {
   gl_Position = clip_from_world * vec4(p, 1.0);
   vec3 n = normalize(mat3(objects[object].normal_x_emission.xyz, objects[object].normal_y.xyz,
                           objects[object].normal_z.xyz) * normal);
-  vec3 to_eye = normalize(-p);
+  vec3 to_eye = normalize(eye.xyz - p);
   vec3 colour = objects[object].colour_gloss.rgb;
   float gloss = 0.5 * objects[object].colour_gloss.a;
   float emission = objects[object].normal_x_emission.w;

@@ -1,6 +1,7 @@
 #include "render_client/draw/ViewUniforms.h"
 
-#include <glm/geometric.hpp>
+#include <cstring>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
@@ -12,31 +13,49 @@ struct Shared {
   glm::mat4 clip_from_world;
   glm::mat4 shadow_from_world{0.0F};
   glm::vec4 to_second_tile{0.0F};
+  glm::vec4 eye;
   glm::vec4 sky;
   glm::vec4 ground;
 };
 
-glm::vec3 vec3(const Coord3& v) {
-  return glm::vec3(v.glm());
+glm::vec4 vec4(const Coord3& v) {
+  return glm::vec4(glm::dvec4(v.glm(), 0.0));
+}
+
+/// From coordinates near the eye: what is far away has been subtracted in double.
+glm::mat4 clipFrom(const Coord3& origin, const EyeView& view) {
+  TransformMatrix t_origin_eye = view.t_world_eye;
+  t_origin_eye.setOrigin(view.t_world_eye.origin() - origin);
+  return glm::mat4(projection(view.view, view.near_m).glm() * t_origin_eye.rigidInverse().glm());
 }
 
 }  // namespace
 
-ViewUniforms::ViewUniforms() : buffer_(GL_UNIFORM_BUFFER, sizeof(Shared)) {}
-
-void ViewUniforms::write(std::size_t slot, const EyeView& view, const Ambient& ambient,
+void ViewUniforms::write(std::span<const EyeView> views, const Coord3& origin, const Ambient& ambient,
                          const OverheadShadow* shadow) {
-  const Coord3 eye = view.t_world_eye.origin();
-  Shared block;
-  block.clip_from_world =
-      glm::mat4(projection(view.view, view.near_m).glm() * view.t_world_eye.linear().rigidInverse().glm());
-  block.sky = glm::vec4(vec3(ambient.sky), 0.0F);
-  block.ground = glm::vec4(vec3(ambient.ground), 0.0F);
-  if (shadow != nullptr) {
-    block.shadow_from_world = shadow->mappingFrom(eye);
-    block.to_second_tile = glm::vec4(shadow->toSecondTile(), 0.0F);
+  if (views.size() > room_) {
+    room_ = views.size();
+    stride_ = alignedForBinding(sizeof(Shared));
+    buffer_.emplace(room_ * stride_);
   }
-  buffer_.write(slot, &block, sizeof(block));
+  auto* to = buffer_->next<std::byte>();
+  for (const EyeView& view : views) {
+    Shared shared;
+    shared.clip_from_world = clipFrom(origin, view);
+    shared.eye = vec4(view.t_world_eye.origin() - origin);
+    shared.sky = vec4(ambient.sky);
+    shared.ground = vec4(ambient.ground);
+    if (shadow != nullptr) {
+      shared.shadow_from_world = shadow->mappingFrom(origin);
+      shared.to_second_tile = glm::vec4(shadow->toSecondTile(), 0.0F);
+    }
+    std::memcpy(to, &shared, sizeof(shared));
+    to += stride_;
+  }
+}
+
+void ViewUniforms::bind(std::size_t view) const {
+  buffer_->bind(GL_UNIFORM_BUFFER, 0, view * stride_, sizeof(Shared));
 }
 
 }  // namespace coherency
