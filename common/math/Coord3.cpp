@@ -6,27 +6,6 @@
 
 namespace coherency {
 
-Coord3& Coord3::operator+=(const Coord3& b) {
-  x += b.x;
-  y += b.y;
-  z += b.z;
-  return *this;
-}
-
-Coord3& Coord3::operator-=(const Coord3& b) {
-  x -= b.x;
-  y -= b.y;
-  z -= b.z;
-  return *this;
-}
-
-Coord3& Coord3::operator*=(double s) {
-  x *= s;
-  y *= s;
-  z *= s;
-  return *this;
-}
-
 Coord3& Coord3::operator/=(double s) {
   if (s == 0.0) throw std::domain_error("Coord3: division by zero");
   x /= s;
@@ -35,31 +14,8 @@ Coord3& Coord3::operator/=(double s) {
   return *this;
 }
 
-Coord3 operator+(Coord3 a, const Coord3& b) {
-  return a += b;
-}
-Coord3 operator-(Coord3 a, const Coord3& b) {
-  return a -= b;
-}
-Coord3 operator-(const Coord3& a) {
-  return {-a.x, -a.y, -a.z};
-}
-Coord3 operator*(Coord3 a, double s) {
-  return a *= s;
-}
-Coord3 operator*(double s, Coord3 a) {
-  return a *= s;
-}
 Coord3 operator/(Coord3 a, double s) {
   return a /= s;
-}
-
-double dot(const Coord3& a, const Coord3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Coord3 cross(const Coord3& a, const Coord3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 double norm(const Coord3& a) {

@@ -124,19 +124,6 @@ TransformMatrix& TransformMatrix::operator/=(double s) {
   return *this;
 }
 
-Coord3 TransformMatrix::point(const Coord3& p) const {
-  return vector(p) + origin();
-}
-
-Coord3 TransformMatrix::vector(const Coord3& v) const {
-  return {m_[0].x * v.x + m_[1].x * v.y + m_[2].x * v.z, m_[0].y * v.x + m_[1].y * v.y + m_[2].y * v.z,
-          m_[0].z * v.x + m_[1].z * v.y + m_[2].z * v.z};
-}
-
-Coord3 TransformMatrix::origin() const {
-  return {m_[3].x, m_[3].y, m_[3].z};
-}
-
 void TransformMatrix::setOrigin(const Coord3& origin) {
   m_[3].x = origin.x;
   m_[3].y = origin.y;

@@ -41,11 +41,14 @@ class TransformMatrix {
   bool operator==(const TransformMatrix& b) const { return m_ == b.m_; }
 
   /// Image of a point; w is taken as 1 and the last row is ignored (affine transforms).
-  Coord3 point(const Coord3& p) const;
+  Coord3 point(const Coord3& p) const { return vector(p) + origin(); }
   /// Image of a direction: the translation is ignored.
-  Coord3 vector(const Coord3& v) const;
+  Coord3 vector(const Coord3& v) const {
+    return {m_[0].x * v.x + m_[1].x * v.y + m_[2].x * v.z, m_[0].y * v.x + m_[1].y * v.y + m_[2].y * v.z,
+            m_[0].z * v.x + m_[1].z * v.y + m_[2].z * v.z};
+  }
   /// Origin of the mapped frame: the last column.
-  Coord3 origin() const;
+  Coord3 origin() const { return {m_[3].x, m_[3].y, m_[3].z}; }
   void setOrigin(const Coord3& origin);
   /// The 3x3 part, with no translation.
   TransformMatrix linear() const;

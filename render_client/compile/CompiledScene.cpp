@@ -39,7 +39,7 @@ double radius(const std::vector<MeshVertex>& vertices) {
 /// Lamps' light varies over half a metre near them; what is larger than a room is scenery, which they do not
 /// reach.
 double lightingEdge(const VRObject& object, const Coord3& half_extent) {
-  constexpr double kEdge = 0.4;
+  constexpr double kEdge = 0.6;
   constexpr double kRoom = 12.0;
   const double scale = std::max(object.globalTransform().maxScale(), 1e-9);
   const double size = 2.0 * std::max({half_extent.x, half_extent.y, half_extent.z});

@@ -160,6 +160,7 @@ SurfaceLight LightBaker::light(const SurfacePoint& point) const {
 }
 
 float LightBaker::inSight(std::size_t lamp, const glm::vec3& place) const {
+  if (rays_.empty()) return 1.0F;
   std::size_t free = 0;
   std::int32_t blocker = RayScene::kNoBlocker;
   const std::vector<glm::vec3>& disc = lamps_[lamp].disc;

@@ -18,6 +18,7 @@ class RayScene {
  public:
   explicit RayScene(const std::vector<RayTriangle>& triangles = {}) : tree_(buildRayTree(triangles)) {}
 
+  bool empty() const { return tree_.packets.empty(); }
   /// Whether anything lies between the two points. What did for the last ray is tried first for the next, as
   /// it often does for that too: pass the same `blocker`, at first kNoBlocker, for rays that have much in
   /// common.

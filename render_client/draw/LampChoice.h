@@ -30,6 +30,8 @@ class LampChoice {
  public:
   LampChoice(Illumination illumination, const CompiledScene& scene);
 
+  std::size_t lampCount() const { return illumination_.lamps.size(); }
+
   ChosenLamps at(const Coord3& place) const;
 
  private:

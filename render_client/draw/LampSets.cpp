@@ -9,6 +9,7 @@ void LampSets::update() {
   changed_.clear();
   changed_.reserve(roots.size());
   sets_.resize(roots.size());
+  if (choice_.lampCount() == 0) return;
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const Coord3 place = scene_.place(roots[i]);
     if (i == places_.size())
