@@ -26,8 +26,7 @@ struct Lens {
   double radius = 1.0;              ///< of what the lens shows, in r; the panel stays black beyond
   std::array<LensCurve, 3> curves;  ///< red, green, blue
 
-  /// Where a point of the panel is seen in that colour. Beyond `radius` the curve goes on as straight as it
-  /// there is, so that a mesh may end anywhere.
+  /// Where a point of the panel is seen in that colour; beyond `radius` as if the curve went on straight.
   Direction seen(std::size_t colour, const PixelPoint& shown) const;
   /// The point of the panel that is seen there; none beyond `radius`.
   std::optional<PixelPoint> shown(std::size_t colour, const Direction& seen) const;
