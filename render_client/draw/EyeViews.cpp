@@ -26,7 +26,7 @@ double turned(double tangent, double yaw) {
 
 /// Text stands within what both eyes see, a little inside its corner, as if it were 2 m ahead: at the border
 /// of an eye's picture the other eye might not see it, and two eyes could not see it as one. A lens is round:
-/// it shows no corners.
+/// it shows no corners, and its border not well.
 void placeText(EyeView& view, const HmdProfile& hmd, Eye eye, double eye_distance) {
   constexpr double kAhead = 2.0;
   const double inside = hmd.left.lens ? 0.2 : 0.1;  // of what both see
@@ -40,9 +40,8 @@ void placeText(EyeView& view, const HmdProfile& hmd, Eye eye, double eye_distanc
       (hmd.left.lens ? 1.0 - 2.0 * inside : 1.0 - inside) * std::min(left.tan_up, right.tan_up);
   const Coord3 corner = kAhead * Coord3{inside * both - to_left, top, -1.0};
   const Coord3 p_head_eye{(eye == Eye::Left ? -0.5 : 0.5) * eye_distance, 0.0, 0.0};
-  const TransformMatrix t_head_display = rotation(displayOf(hmd, eye).axis);
-  const PixelPoint begin = projectToPixels(
-      view.view, t_head_display.rigidInverse().vector(corner - p_head_eye), view.width, view.height);
+  view.t_eye_head = rotation(displayOf(hmd, eye).axis).rigidInverse();
+  const PixelPoint begin = projectToPixels(view.view, corner - p_head_eye, view.width, view.height);
   view.text_x = begin.x;
   view.text_y = begin.y;
   view.text_width = (1.0 - 2.0 * inside) * both * view.width / (view.view.tan_left + view.view.tan_right);
