@@ -3,7 +3,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -164,6 +166,22 @@ TEST_F(HmdProfileTest, AScreenStandsInPlaceOfBothEyes) {
   expectRefused(screen + "[left]\n" + kEye, ":5:", "follows from where the eyes are");
   expectRefused(screen + "tilt = 90.0\n", ":5:", "from -80 to 80");
   expectRefused("[screen]\nwidth = -0.5\nheight = 0.3\ndistance = 1.0\n", ":2:", "out of range");
+}
+
+/// Its three blocks: a display without a lens, a lens table, a screen.
+TEST_F(HmdProfileTest, TheExamplesInTheDocumentationLoad) {
+  std::ifstream file(COHERENCY_DOCS "/displays.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::string> blocks;
+  const std::string begin = "```toml\n";
+  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+    blocks.push_back(text.substr(at + begin.size(), text.find("```", at + 1) - at - begin.size()));
+  ASSERT_EQ(blocks.size(), 3U);
+  EXPECT_EQ(read(blocks[0]).name, "mine");
+  std::string right = blocks[1];
+  right.replace(right.find("[left"), 5, "[right");
+  EXPECT_TRUE(read("panel = [1080, 1200]\n" + blocks[1] + right).left.lens);
+  EXPECT_TRUE(read(blocks[2]).screen);
 }
 
 TEST_F(HmdProfileTest, FittingKeepsThePixelsShapeAndTheHorizontalView) {
