@@ -291,6 +291,22 @@ TEST_F(DistortionPicture, ThePanelIsBlackBeyondTheLensAndLitWithin) {
     }
 }
 
+TEST_F(DistortionPicture, AnEvenPictureKeepsItsColour) {
+  const HmdProfile hmd = readHmdProfile("rift_dk2");
+  TestScene scene;
+  scene.add<Rectangle>({0.0, 0.0, -1.0}, glow(0.6, 0.2, 0.05), 100.0, 100.0);
+  const PanelSize picture = pictureOf(hmd, 0.25);
+  const EyeView view = viewThrough(hmd.left, picture);
+  Renderer renderer(scene, scene.illumination(), picture.width, picture.height);
+  renderer.setDisplay(hmd, EyeChoice::Left, 0.25);
+  renderer.draw({&view, 1});
+  const Image seen = renderer.readImage();
+  const Image panel = renderer.readPanel(hmd.panel->width, hmd.panel->height);
+  for (const Channel channel : {Red, Green, Blue})
+    for (const int x : {100, 480, 860})
+      EXPECT_EQ(value(panel, x, 540, channel), value(seen, picture.width / 2, picture.height / 2, channel));
+}
+
 TEST_F(DistortionPicture, NoEyeSeesAnythingOfTheOthersPicture) {
   const HmdProfile hmd = readHmdProfile("rift_dk1");
   TestScene scene;
