@@ -1,5 +1,6 @@
 #include "common/config/HmdProfile.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -17,6 +18,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kAgreement = 0.5;  // degrees that a given side may be off what the lens shows
 constexpr double kWidest = 85.0;    // degrees; no flat picture is drawn farther
+constexpr double kMostPixels = 16384.0;
 
 struct Side {
   const char* key;
@@ -42,6 +44,12 @@ FieldOfView readView(TomlTable& eye) {
 /// What the lens shows; sides that are given must say the same.
 FieldOfView viewThrough(TomlTable& eye, const Lens& lens, const PanelSize& panel) {
   const FieldOfView view = lens.view(panel.width, panel.height);
+  const double tangents = std::max(view.tan_left + view.tan_right, view.tan_down + view.tan_up);
+  if (!(tangents * lens.pixelsPerTangent() <= kMostPixels))
+    throw eye.error(
+        "lens", fmt::format("shows its middle so large that a picture would need more than {} pixels to a "
+                            "side; are c0 of each colour, unit_px and tangent right?",
+                            kMostPixels));
   for (const Side& side : kSides) {
     const double shown = std::atan(view.*side.tangent) / kDegree;
     if (shown > kWidest)

@@ -7,7 +7,8 @@ namespace coherency {
 namespace {
 
 int pixels(double wanted) {
-  return std::max(1, static_cast<int>(std::lround(wanted)));
+  constexpr double kMost = 1e6;  // more than any driver has; it says so
+  return static_cast<int>(std::lround(std::clamp(wanted, 1.0, kMost)));
 }
 
 }  // namespace

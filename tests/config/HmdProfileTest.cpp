@@ -152,6 +152,10 @@ TEST_F(HmdProfileTest, LensesThatCannotBeAreRefused) {
                 ":7:", "must be one of: polynomial, reciprocal");
   expectRefused(lenses("radius = 1.2", "radius = 1.2\nangle = 3"), ":7:", "is not a known key");
   expectRefused(lenses("tangent = 1.0", "tangent = 40.0"), ":2:", "a flat picture can be 85 at most");
+  expectRefused(lenses("[1.0, 0.22, 0.1, 0.0, 0.0]", "[1e-9, 0.5, 0.1, 0.0, 0.0]"),
+                ":2:", "more than 16384 pixels");
+  expectRefused(lenses("[1.0, 0.22, 0.1, 0.0, 0.0]", "[nan, 0.5, 0.1, 0.0, 0.0]"),
+                ":8:", "must be 5 numbers");
   expectRefused("panel = [1000.5, 1200]\n", ":1:", "whole numbers of pixels");
   expectRefused("panel = [4, 1200]\n", ":1:", "must be 2 numbers from 16");
 }
