@@ -13,6 +13,7 @@ namespace {
 std::vector<double> borderAngles(const Lens& lens, double left, double right, double up, double down) {
   constexpr int kBetween = 4096;
   std::vector<double> angles;
+  angles.reserve(kBetween + 20);
   for (int i = 0; i < kBetween; ++i) angles.push_back(2.0 * std::numbers::pi * i / kBetween);
   for (const double x : {-left, right})
     for (const double y : {-down, up}) {

@@ -18,8 +18,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern "C" char** environ;
-
 namespace coherency {
 namespace {
 
@@ -91,7 +89,7 @@ std::string ffmpegPath() {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string file = (std::filesystem::path(folder) / "ffmpeg").string();
+    std::string file = (std::filesystem::path(folder) / "ffmpeg").string();
     std::error_code ignored;
     if (std::filesystem::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0) return file;
   }
@@ -129,6 +127,7 @@ void Video::start(int width, int height) {
   }
   std::vector<std::string> texts = arguments(path_, frames_per_second_, width, height);
   std::vector<char*> argv;
+  argv.reserve(texts.size() + 1);
   for (std::string& text : texts) argv.push_back(text.data());
   argv.push_back(nullptr);
   const SpawnPlan plan(input, error);
