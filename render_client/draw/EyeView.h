@@ -25,7 +25,7 @@ struct EyeView {
   /// pixels are those that the view would have with its axes turned into the head's.
   double text_x = 0.0;
   double text_y = 0.0;
-  double text_width = 0.0;     ///< lines are broken there, pixels; 0: at the view's right border
+  double text_width = 0.0;          ///< lines are broken there, pixels; 0: at the view's right border
   TransformMatrix t_eye_head = {};  ///< rotation only; other than none for displays that are canted
 };
 
