@@ -15,6 +15,7 @@
 #include "common/motion/SampleGate.h"
 #include "common/world/Scene.h"
 #include "render_client/draw/EyeViews.h"
+#include "render_client/draw/PictureSize.h"
 #include "render_client/draw/Renderer.h"
 #include "render_client/present/Display.h"
 
@@ -60,18 +61,34 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-FrameTime timeFrames(Renderer& renderer, Display& display, const std::vector<EyeView>& views, int frames) {
+FrameTime timeOf(int times, const auto& action) {
   std::vector<double> wall;
   std::vector<double> processor;
-  for (int i = 0; i < frames; ++i) {
+  for (int i = 0; i < times; ++i) {
     const auto begin = Steady::now();
     const std::clock_t clock = std::clock();
-    renderer.draw(views);
-    display.present();
+    action();
     wall.push_back(millisecondsSince(begin));
     processor.push_back(1e3 * static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
   }
   return {median(wall), median(processor)};
+}
+
+FrameTime timeFrames(Renderer& renderer, Display& display, const std::vector<EyeView>& views, int frames) {
+  return timeOf(frames, [&] {
+    renderer.draw(views);
+    display.present();
+  });
+}
+
+/// Of what a lens adds to a picture that is drawn already. Both are read back, so that the GPU is waited for.
+void timeLens(Renderer& renderer, const DisplayConfig& panel, const PanelSize& picture, int frames) {
+  renderer.readImage();  // resolves
+  const FrameTime plain = timeOf(frames, [&] { renderer.readImage(); });
+  const FrameTime bent = timeOf(frames, [&] { renderer.readPanel(panel.width, panel.height); });
+  std::printf(
+      "picture of %dx%d pixels: read in %.2f ms; panel of %dx%d: made for its lens and read in %.2f ms\n",
+      picture.width, picture.height, plain.wall, panel.width, panel.height, bent.wall);
 }
 
 }  // namespace
@@ -83,10 +100,12 @@ int main(int argc, char** argv) {
   DisplayConfig config;
   RendererSettings settings;
   int frames = 60;
+  std::string profile;
   app.add_option("scene", name, "Scene's name or TOML file")->capture_default_str();
   app.add_option("--scenes", folder, "Folder of the scenes that are called by name")->capture_default_str();
   app.add_option("--width", config.width, "Pixels")->capture_default_str();
   app.add_option("--height", config.height, "Pixels")->capture_default_str();
+  app.add_option("--hmd", profile, "HMD profile; width and height are then its panel's, if it has one");
   app.add_option("--frames", frames, "Of each view")->capture_default_str();
   app.add_option("--samples", settings.samples, "Antialiasing samples a pixel")->capture_default_str();
   app.add_option("--rays", settings.bake.rays, "Rays a vertex for the light of what never moves")
@@ -99,10 +118,17 @@ int main(int argc, char** argv) {
   app.add_flag("--no-shadows{false}", settings.shadows, "Draw without shadows");
   CLI11_PARSE(app, argc, argv);
 
+  const HmdProfile hmd = profile.empty() ? HmdProfile{} : readHmdProfile(profile);
+  if (hmd.panel) {
+    config.width = hmd.panel->width;
+    config.height = hmd.panel->height;
+  }
+  const PanelSize picture = pictureSize(hmd, EyeChoice::Left, config.width, config.height, 1.0);
   const auto display = makeHeadlessDisplay(config);
   const auto scene = std::make_unique<Scene>(readScene(name, folder), Rig{});
   const auto begin = Steady::now();
-  Renderer renderer(*scene, config.width, config.height, settings);
+  Renderer renderer(*scene, picture.width, picture.height, settings);
+  renderer.setDisplay(hmd, EyeChoice::Left);
   std::printf("renderer made in %.0f ms, %zu polygons, %zu triangles, %zu vertices, %.2f MiB, %s\n",
               millisecondsSince(begin), scene->polygonCount(), renderer.triangleCount(),
               renderer.vertexCount(), static_cast<double>(renderer.vertexBytes()) / (1 << 20),
@@ -110,12 +136,13 @@ int main(int argc, char** argv) {
   for (const Look& look : kLooks) {
     pose(*scene, look);
     std::vector<EyeView> views;
-    eyeViews(*scene, Mode::Operator, {}, EyeChoice::Left, config.width, config.height, views);
+    eyeViews(*scene, Mode::Operator, hmd, EyeChoice::Left, picture.width, picture.height, views);
     timeFrames(renderer, *display, views, 3);
     const FrameTime time = timeFrames(renderer, *display, views, frames);
     const FrameCounts counts = renderer.counts();
     std::printf("%-8s %6.2f ms a frame, %6.2f ms of processor; %zu move, %zu near them, %zu others\n",
                 look.name, time.wall, time.processor, counts.moving, counts.fixed_shaded, counts.fixed_plain);
   }
+  if (hasLens(hmd, EyeChoice::Left)) timeLens(renderer, config, picture, frames);
   return 0;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include "common/config/CommandLine.h"
 #include "common/config/ConfigError.h"
 #include "common/config/ReplaceFile.h"
+#include "render_client/present/Video.h"
 
 namespace coherency {
 namespace {
@@ -30,6 +32,29 @@ void parseSize(const std::string& text, int& width, int& height) {
   height = number(x == std::string::npos ? std::string_view{} : all.substr(x + 1));
 }
 
+void takeSize(const std::string& text, ClientOptions& options) {
+  const HmdProfile& hmd = options.hmd;
+  if (!text.empty()) {
+    parseSize(text, options.width, options.height);
+  } else if (hmd.panel) {
+    options.width = hmd.panel->width;
+    options.height = hmd.panel->height;
+  } else if (hmd.screen) {  // of the screen's shape
+    const auto height =
+        static_cast<int>(std::lround(options.width * hmd.screen->height_m / hmd.screen->width_m));
+    options.height = std::clamp(height, 16, 16384);
+  }
+}
+
+void checkVideo(const std::string& path) {
+  if (path.empty()) return;
+  if (!path.ends_with(".mp4")) throw ConfigError(fmt::format("--video {}: must end in .mp4", path));
+  if (ffmpegPath().empty())
+    throw ConfigError(
+        "--video: needs the program ffmpeg, which is not in PATH; install it: apt-get install ffmpeg");
+  checkReplaceable("--video", path);
+}
+
 bool hasDisplay() {
   const char* display = std::getenv("DISPLAY");
   return display != nullptr && *display != '\0';
@@ -37,7 +62,7 @@ bool hasDisplay() {
 
 /// The command line's part that is looked at before it is an option.
 struct Texts {
-  std::string server = "127.0.0.1", display, size, hmd;
+  std::string server = "127.0.0.1", display, size, hmd, snapshot_of;
 };
 
 void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
@@ -46,7 +71,12 @@ void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
       ->check(CLI::IsMember({"left", "right", "both", "mono"}));
   app.add_option("--display", texts.display, "window or headless [window where there is a display]")
       ->check(CLI::IsMember({"window", "headless"}));
-  app.add_option("--size", texts.size, "WxH of one eye's picture in pixels [640x480]");
+  app.add_option(
+      "--size", texts.size,
+      "WxH of one eye's part of the display in pixels [the panel's of the HMD profile, else 640x480]");
+  app.add_option("--render-scale", options.render_scale,
+                 "pictures are drawn with as many times the pixels to each side, 0.25 to 4 [1]")
+      ->check(finite(0.25, 4.0));
   app.add_flag("--fullscreen", options.fullscreen, "fill a monitor; implies --display window");
   app.add_option("--monitor", options.monitor, "which monitor, counted from 0 [0]")->check(whole(0, 63));
   app.add_option("--hmd", texts.hmd,
@@ -67,6 +97,12 @@ void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
          "EYE_1.png, EYE_2.png ...")
       ->delimiter(',')
       ->check(finite(0.0, 1e9));
+  app.add_option("--snapshot-of", texts.snapshot_of,
+                 "what snapshots and video show where the HMD has lenses: view, as it is seen through them, "
+                 "or panel, as the window has it [view]")
+      ->check(CLI::IsMember({"view", "panel"}));
+  app.add_option("--video", options.video,
+                 "write a film of the whole run to this .mp4 file, both eyes side by side; needs ffmpeg");
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
   app.add_option("--wait", options.wait_s, "seconds to wait for the server at the start [10]")
       ->check(finite(0.0, 1e6));
@@ -75,8 +111,10 @@ void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
 
 void take(const Texts& texts, ClientOptions& options) {
   options.server = parseEndpoint(texts.server, 7430);
-  if (!texts.size.empty()) parseSize(texts.size, options.width, options.height);
   if (!texts.hmd.empty()) options.hmd = readHmdProfile(texts.hmd);
+  takeSize(texts.size, options);
+  options.panel_snapshots = texts.snapshot_of == "panel";
+  checkVideo(options.video);
   std::sort(options.snapshot_at_s.begin(), options.snapshot_at_s.end());
   if (options.fullscreen && texts.display == "headless")
     throw ConfigError("--fullscreen and --display headless exclude each other: give one of them");

@@ -16,8 +16,9 @@ struct ClientOptions {
   bool window = false;
   bool fullscreen = false;
   int monitor = 0;
-  int width = 640;  ///< of one eye's picture, pixels
+  int width = 640;  ///< of one eye's part of the display, pixels
   int height = 480;
+  double render_scale = 1.0;  ///< of each side of the pictures drawn (PictureSize.h)
   int samples = 4;
   HmdProfile hmd;
   double fps = 0.0;                   ///< 0: the monitor's, headless 62.5
@@ -25,6 +26,8 @@ struct ClientOptions {
   std::uint64_t frames = 0;           ///< 0: no limit
   std::string snapshot_dir;           ///< empty: current folder for snapshots by key, none at the end
   std::vector<double> snapshot_at_s;  ///< session times of the pictures, rising; none: the last one drawn
+  bool panel_snapshots = false;       ///< what the panels show, in place of what is seen
+  std::string video;                  ///< file; empty: none
   std::string stats_json;
   double wait_s = 10.0;  ///< for the server, at the start
 };

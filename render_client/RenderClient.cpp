@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "common/sync/StopSignal.h"
+#include "render_client/draw/PictureSize.h"
 #include "render_client/present/Png.h"
 
 namespace coherency {
@@ -77,6 +78,7 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
   buildWorld(session);
   awaitMotion(started_ + std::max<std::int64_t>(wait_ns, 1'000'000'000));
   planPictures();
+  if (!options.video.empty()) video_.emplace(options.video, 1.0 / sessionSeconds(*replica_, frame_ticks_));
 }
 
 void RenderClient::awaitMotion(ClientTime deadline) {
@@ -115,10 +117,19 @@ void RenderClient::buildWorld(const SessionConfig& session) {
   renderer_.reset();  // the renderer holds on to the old replica's scene
   replica_.emplace(session);
   views_.clear();
-  const int width = display_->hasWindow() ? display_->width() : options_.width * eyeCount(eyes_);
-  const int height = display_->hasWindow() ? display_->height() : options_.height;
-  renderer_.emplace(replica_->scene(), width, height, RendererSettings{.samples = options_.samples});
+  fitPictures();
+  renderer_.emplace(replica_->scene(), picture_.width * eyeCount(eyes_), picture_.height,
+                    RendererSettings{.samples = options_.samples});
+  renderer_->setDisplay(options_.hmd, eyes_, options_.render_scale);
   layGrid();
+}
+
+/// To the display, whose window may have another size than it had.
+void RenderClient::fitPictures() {
+  display_size_ = {options_.width, options_.height};
+  if (display_->hasWindow()) display_size_ = {display_->width() / eyeCount(eyes_), display_->height()};
+  picture_ =
+      pictureSize(options_.hmd, eyes_, display_size_.width, display_size_.height, options_.render_scale);
 }
 
 /// A frame is as many ticks as fit into it at the rate asked for, else the monitor's, else 62.5 a second.
@@ -193,6 +204,13 @@ void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) 
     const auto picture = plannedPose();
     if (const auto pose = picture ? picture : awaitPose(); pose) drawFrame(*pose, picture.has_value());
   }
+  endVideo();
+  takeWhatIsLeft();
+  if (!video_fault_.empty()) throw std::runtime_error(video_fault_);
+}
+
+/// At the end of a run.
+void RenderClient::takeWhatIsLeft() {
   if (options_.snapshot_dir.empty()) return;
   if (options_.snapshot_at_s.empty() && !views_.empty()) return writeLastPicture();
   if (!planned_.empty() || views_.empty())
@@ -213,12 +231,13 @@ void RenderClient::drawFrame(const ReceivedPacket& pose, bool is_picture) {
     drawn_tick_ = pose.packet.world.tick;
     return;
   }
-  if (display_->hasWindow()) renderer_->resize(display_->width(), display_->height());
-  const int width = display_->hasWindow() ? display_->width() / eyeCount(eyes_) : options_.width;
-  const int height = display_->hasWindow() ? display_->height() : options_.height;
-  eyeViews(replica_->scene(), replica_->world().mode, options_.hmd, eyes_, width, height, views_);
+  fitPictures();
+  renderer_->resize(picture_.width * eyeCount(eyes_), picture_.height);
+  eyeViews(replica_->scene(), replica_->world().mode, options_.hmd, eyes_, picture_.width, picture_.height,
+           views_);
   renderer_->draw(views_);
   takeSnapshots(is_picture);
+  addToVideo(pose.packet.world.tick);
   showText();
   if (display_->hasWindow()) renderer_->present(display_->width(), display_->height());
   display_->present();
@@ -289,7 +308,36 @@ void RenderClient::writeLastPicture() {
 
 void RenderClient::writeSnapshot(const std::string& name) {
   const std::filesystem::path folder = options_.snapshot_dir.empty() ? "." : options_.snapshot_dir;
-  writePng((folder / (name + ".png")).string(), renderer_->readImage(), pictureText(*replica_, options_));
+  writePng((folder / (name + ".png")).string(), snapshot(), pictureText(*replica_, options_));
+}
+
+Image RenderClient::snapshot() {
+  if (!options_.panel_snapshots) return renderer_->readImage();
+  return renderer_->readPanel(display_size_.width * eyeCount(eyes_), display_size_.height);
+}
+
+/// As long as it was to be seen: a picture stands in for those that this machine was too slow to draw, up to
+/// a second of them. A film that cannot go on ends; what is drawn goes on.
+void RenderClient::addToVideo(std::uint64_t tick) {
+  if (!video_ || !video_fault_.empty()) return;
+  const std::uint64_t frames =
+      tick > drawn_tick_ && drawn_tick_ > 0 ? (tick - drawn_tick_) / frame_ticks_ : 1;
+  const auto second = static_cast<std::uint64_t>(std::ceil(1.0 / sessionSeconds(*replica_, frame_ticks_)));
+  try {
+    video_->write(snapshot(), std::clamp<std::uint64_t>(frames, 1, second));
+  } catch (const std::exception& e) {
+    video_fault_ = e.what();
+    overlay_.notify(video_fault_, now());
+  }
+}
+
+void RenderClient::endVideo() {
+  if (!video_ || !video_fault_.empty()) return;
+  try {
+    video_->finish();
+  } catch (const std::exception& e) {
+    video_fault_ = e.what();
+  }
 }
 
 bool RenderClient::finished() const {

@@ -15,6 +15,7 @@
 #include "render_client/draw/EyeViews.h"
 #include "render_client/draw/Renderer.h"
 #include "render_client/present/Display.h"
+#include "render_client/present/Video.h"
 #include "render_client/receive/ServerLink.h"
 #include "render_client/replica/Replica.h"
 
@@ -47,12 +48,17 @@ class RenderClient {
   std::optional<ReceivedPacket> awaitPose() const;
   std::optional<ReceivedPacket> plannedPose() const;
   std::uint64_t gridTick(double session_s) const;
+  void fitPictures();
   void drawFrame(const ReceivedPacket& pose, bool is_picture);
   void countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented);
   void takeSnapshots(bool is_picture);
+  Image snapshot();
+  void addToVideo(std::uint64_t tick);
+  void endVideo();
   void showText();
   void handleInput();
   void switchMode();
+  void takeWhatIsLeft();
   void writeLastPicture();
   void writeSnapshot(const std::string& name);
   void trySnapshotByKey();
@@ -73,6 +79,10 @@ class RenderClient {
   std::optional<Replica> replica_;
   std::optional<Renderer> renderer_;
   std::vector<EyeView> views_;
+  PanelSize display_size_;  ///< one eye's part of it, pixels
+  PanelSize picture_;       ///< that is drawn for an eye
+  std::optional<Video> video_;
+  std::string video_fault_;        ///< what ended it before its time
   std::uint64_t frame_ticks_ = 1;  ///< length of a frame on the grid
   std::uint64_t drawn_tick_ = 0;
   ClientTime newest_arrived_;

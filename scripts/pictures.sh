@@ -22,3 +22,6 @@ view meeting_room --camera 2.9,1.5,3.6,125,-10 --fov 75
 view robot --robot-base 0,0.2,0 --base 2.4,2.2,0 --set shoulder_flexion=0.5 --camera 1.0,1.35,-1.2,144,-14 --fov 50
 view down --eye mono --head 0,1.16,-0.03,0,-1.0,0
 view holding --base 0,0.5,0 --camera=-0.05,0.85,-0.08,-140,-38 --fov 45 --set grip=1 --hold
+"$look" laboratory "$pictures/headset.png" --hmd vive --size 540x600 --head 0,1.17,-0.12,0,-0.5,0
+"$look" laboratory "$pictures/desk.png" --hmd desk --eye mono --size 640x360 --set grip=0.3
+"$look" laboratory "$pictures/desk_moved.png" --hmd desk --eye mono --size 640x360 --head=-0.25,1.25,-0.05,0,0,0 --set grip=0.3

@@ -43,6 +43,12 @@ FieldOfView fieldOfViewFromDegrees(double left, double right, double down, doubl
   return view;
 }
 
+FieldOfView viewOfScreen(const Coord3& eye, double width, double height) {
+  assert(eye.z > 0.0);
+  return {(0.5 * width + eye.x) / eye.z, (0.5 * width - eye.x) / eye.z, (0.5 * height + eye.y) / eye.z,
+          (0.5 * height - eye.y) / eye.z};
+}
+
 TransformMatrix projection(const FieldOfView& view, double near_m) {
   check(view);
   if (!(near_m > 0.0) || !std::isfinite(near_m)) {

@@ -24,6 +24,12 @@ struct FieldOfView {
 /// not, or when the image would be empty.
 FieldOfView fieldOfViewFromDegrees(double left, double right, double down, double up);
 
+/// What an eye sees through a flat window or on a flat screen, `width` x `height`, whose middle is the origin
+/// of the frame that `eye` is in, x right, y up, z towards the viewer (Kooima, Generalized perspective
+/// projection, 2009). The view's axes are the screen's, whichever way the head is turned. Precondition: eye.z
+/// > 0.
+FieldOfView viewOfScreen(const Coord3& eye, double width, double height);
+
 /// Perspective transform of an asymmetric view with reversed depth and the far plane at infinity: depth is 1
 /// at `near_m` and falls to 0 at infinity (clip range 0..1, glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)).
 /// Throws std::domain_error for an empty view or near_m <= 0.

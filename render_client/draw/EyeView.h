@@ -21,9 +21,12 @@ struct EyeView {
   int height = 0;
   TransformMatrix t_world_vehicle;                                      ///< rigid, on the floor; -z ahead
   std::optional<TransformMatrix> t_world_other_vehicle = std::nullopt;  ///< none where there is but one
-  double text_x = 0.0;  ///< where text begins, pixels from the view's top left corner
+  /// Where text begins, pixels from the view's top left corner. Text lies in a plane of the head's; the
+  /// pixels are those that the view would have with its axes turned into the head's.
+  double text_x = 0.0;
   double text_y = 0.0;
-  double text_width = 0.0;  ///< lines are broken there, pixels; 0: at the view's right border
+  double text_width = 0.0;          ///< lines are broken there, pixels; 0: at the view's right border
+  TransformMatrix t_eye_head = {};  ///< rotation only; other than none for displays that are canted
 };
 
 }  // namespace coherency

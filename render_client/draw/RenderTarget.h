@@ -7,6 +7,11 @@
 
 namespace coherency {
 
+/// Waits for the GPU and reads a framebuffer's colour.
+Image readPixels(GLuint framebuffer, int width, int height);
+/// Copies a framebuffer of encoded bytes to the window's (0), scaled where the sizes differ.
+void copyToWindow(GLuint framebuffer, int width, int height, int window_width, int window_height);
+
 /// Off-screen picture: sRGB colour and 32-bit float depth, several samples a pixel, and the same resolved to
 /// one.
 class RenderTarget {
@@ -14,29 +19,30 @@ class RenderTarget {
   /// Throws std::runtime_error naming the sizes there are when it cannot be made.
   RenderTarget(int width, int height, int samples);
 
-  void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, drawing_.frame.name()); }
+  void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, drawing_frame_.name()); }
   /// Averages the samples, in linear light.
   void resolve() const;
   /// Copies what resolve() left to framebuffer 0.
-  void copyToWindow(int width, int height) const;
-  Image read() const;
+  void copyToWindow(int width, int height) const {
+    coherency::copyToWindow(resolved_frame_.name(), width_, height_, width, height);
+  }
+  Image read() const { return readPixels(resolved_frame_.name(), width_, height_); }
+  /// What resolve() left, to be sampled: sRGB, bilinear, as it is up to its border.
+  GLuint texture() const { return resolved_.name(); }
 
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_ == 0 ? 1 : samples_; }
 
  private:
-  struct Surface {
-    Framebuffer frame;
-    Renderbuffer colour;
-  };
-
   int width_;
   int height_;
   int samples_;  ///< 0: not multisampled
-  Surface drawing_;
+  Framebuffer drawing_frame_;
+  Renderbuffer drawing_;
   Renderbuffer depth_;
-  Surface resolved_;
+  Framebuffer resolved_frame_;
+  Texture resolved_;
 };
 
 }  // namespace coherency

@@ -10,6 +10,7 @@
 #include "render_client/compile/CompiledScene.h"
 #include "render_client/compile/ToneCurve.h"
 #include "render_client/draw/BlockPass.h"
+#include "render_client/draw/DistortionPass.h"
 #include "render_client/draw/LampSets.h"
 #include "render_client/draw/MovingPass.h"
 #include "render_client/draw/OverheadShadow.h"
@@ -117,6 +118,11 @@ struct Renderer::Gl {
     resolved = true;
   }
 
+  void distort(int width, int height) {
+    resolve();
+    distortion->draw(target.texture(), target.width(), target.height(), width, height);
+  }
+
   VersionCheck version;
   RendererSettings settings;
   Ambient ambient;
@@ -132,6 +138,7 @@ struct Renderer::Gl {
   TextOverlay text;
   RenderTarget target;
   std::optional<OverheadShadow> shadow;
+  std::optional<DistortionPass> distortion;
   bool resolved = false;
 };
 
@@ -165,14 +172,31 @@ void Renderer::drawText(std::span<const EyeView> views, const std::string& text)
   assert(glGetError() == GL_NO_ERROR);
 }
 
+void Renderer::setDisplay(const HmdProfile& hmd, EyeChoice eyes, double render_scale) {
+  gl_->distortion.reset();
+  if (hasLens(hmd, eyes)) gl_->distortion.emplace(hmd, eyes, render_scale);
+}
+
 void Renderer::present(int width, int height) {
-  gl_->resolve();
-  gl_->target.copyToWindow(width, height);
+  if (gl_->distortion) {
+    gl_->distort(width, height);
+    copyToWindow(gl_->distortion->framebuffer(), width, height, width, height);
+  } else {
+    gl_->resolve();
+    gl_->target.copyToWindow(width, height);
+  }
+  assert(glGetError() == GL_NO_ERROR);
 }
 
 Image Renderer::readImage() {
   gl_->resolve();
   return gl_->target.read();
+}
+
+Image Renderer::readPanel(int width, int height) {
+  if (!gl_->distortion) return readImage();
+  gl_->distort(width, height);
+  return readPixels(gl_->distortion->framebuffer(), width, height);
 }
 
 void Renderer::resize(int width, int height) {

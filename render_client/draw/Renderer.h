@@ -7,6 +7,7 @@
 #include "common/world/Scene.h"
 #include "render_client/compile/Illumination.h"
 #include "render_client/draw/EyeView.h"
+#include "render_client/draw/EyeViews.h"
 #include "render_client/draw/Image.h"
 #include "render_client/draw/RendererSettings.h"
 
@@ -46,10 +47,17 @@ class Renderer {
   void prepare(std::span<const EyeView> views);
   /// Draws lines of text over the picture, from the top left corner of each view.
   void drawText(std::span<const EyeView> views, const std::string& text);
-  /// Resolves the target and copies it to the window's framebuffer (0), scaled to fit `width` x `height`.
+  /// Has present() and readPanel() show what the panels before `eyes` must for the lenses of `hmd` to undo
+  /// it; costs nothing where it has none. `render_scale` as pictureSize() has it. Throws what DistortionPass
+  /// does.
+  void setDisplay(const HmdProfile& hmd, EyeChoice eyes, double render_scale = 1.0);
+  /// Resolves the target and copies it, or what the panels must show, to the window's framebuffer (0), scaled
+  /// to fit `width` x `height`.
   void present(int width, int height);
   /// Waits for the GPU and reads the target back.
   Image readImage();
+  /// What present() shows in a window of that size; without a lens the target as it is.
+  Image readPanel(int width, int height);
 
   void resize(int width, int height);
   int samples() const;                ///< a pixel, as the driver has them

@@ -221,10 +221,12 @@ void main() {}
 )";
 
 const char* const kTextVertexShader = R"(#version 450 core
-layout(location = 0) uniform vec4 pixels;  // 2 / view's width, 2 / view's height, scale, -
-layout(location = 2) uniform vec2 corner;  // pixels from the view's top left corner
-layout(location = 0) in vec2 position;     // dots from that corner
-void main() { gl_Position = vec4((corner + position * pixels.z) * pixels.xy * vec2(1, -1) + vec2(-1, 1), 0, 1); }
+layout(location = 0) uniform mat3 clip_from_text;
+layout(location = 0) in vec2 position;  // dots from the text's top left corner
+void main() {
+  vec3 at = clip_from_text * vec3(position, 1.0);
+  gl_Position = vec4(at.xy, 0.0, at.z);
+}
 )";
 
 const char* const kTextFragmentShader = R"(#version 450 core

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include <glm/mat3x3.hpp>
 #include <stb/stb_easy_font.h>
 
 #include "render_client/draw/ShaderProgram.h"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxQuads = 16384;
 constexpr float kLarge = 2.0F;     // pixels a dot
-constexpr float kNarrow = 800.0F;  // pixels; where there are fewer, a dot is one
+constexpr float kNarrow = 520.0F;  // pixels; where there are fewer, a dot is one
 constexpr float kMargin = 4.0F;
 
 struct Corner {  // as stb_easy_font writes it
@@ -39,6 +40,22 @@ char shown(char c) {
 
 float textWidth(const EyeView& view) {
   return static_cast<float>(view.text_width > 0.0 ? view.text_width : view.width - view.text_x);
+}
+
+/// From dots to the view's clip coordinates (x, y and w), by the directions in which the head has them.
+glm::mat3 clipFromText(const EyeView& view, double scale) {
+  const FieldOfView& v = view.view;
+  const double width = v.tan_left + v.tan_right;
+  const double height = v.tan_down + v.tan_up;
+  const double across = width / view.width;  // tangents of a pixel
+  const double upright = height / view.height;
+  const glm::dmat3 direction_from_dots(
+      glm::dvec3(scale * across, 0.0, 0.0), glm::dvec3(0.0, -scale * upright, 0.0),
+      glm::dvec3(view.text_x * across - v.tan_left, v.tan_up - view.text_y * upright, -1.0));
+  const glm::dmat3 clip_from_direction(
+      glm::dvec3(2.0 / width, 0.0, 0.0), glm::dvec3(0.0, 2.0 / height, 0.0),
+      glm::dvec3((v.tan_right - v.tan_left) / width, (v.tan_up - v.tan_down) / height, -1.0));
+  return glm::mat3(clip_from_direction * glm::dmat3(view.t_eye_head.glm()) * direction_from_dots);
 }
 
 void drawQuads(std::size_t first, std::size_t count) {
@@ -111,9 +128,8 @@ void TextOverlay::draw(std::span<const EyeView> views, const std::string& text) 
   glBindVertexArray(vertex_array_.name());
   for (const EyeView& view : views) {
     glViewport(view.x, view.y, view.width, view.height);
-    glUniform4f(0, 2.0F / static_cast<float>(view.width), 2.0F / static_cast<float>(view.height), scale,
-                0.0F);
-    glUniform2f(2, static_cast<float>(view.text_x), static_cast<float>(view.text_y));
+    const glm::mat3 clip_from_text = clipFromText(view, static_cast<double>(scale));
+    glUniformMatrix3fv(0, 1, GL_FALSE, &clip_from_text[0][0]);
     glUniform4f(1, 0.0F, 0.0F, 0.0F, 0.7F);
     drawQuads(0, 1);
     glUniform4f(1, 0.9F, 0.9F, 0.9F, 1.0F);

@@ -84,7 +84,8 @@ TEST_F(ConfigTest, ShippedDefaultsAreTheProgramsDefaults) {
   EXPECT_EQ(file.name, built_in.name);
   EXPECT_EQ(file.source, built_in.source);
   EXPECT_EQ(file.near_m, built_in.near_m);
-  for (const auto& [a, b] : {std::pair{file.left, built_in.left}, std::pair{file.right, built_in.right}}) {
+  for (const auto& [a, b] :
+       {std::pair{file.left.view, built_in.left.view}, std::pair{file.right.view, built_in.right.view}}) {
     EXPECT_EQ(a.tan_left, b.tan_left);
     EXPECT_EQ(a.tan_right, b.tan_right);
     EXPECT_EQ(a.tan_down, b.tan_down);
@@ -261,16 +262,6 @@ TEST_F(ConfigTest, TheShippedRigSaysWhatItsMeasuresMayBe) {
   }
 }
 
-TEST_F(ConfigTest, ShippedDisplaysHaveNames) {
-  for (const std::string name : {"desk", "generic", "wide"}) {
-    EXPECT_NE(hmdNames().find(name), std::string::npos) << hmdNames();
-    EXPECT_EQ(readHmdProfile(name).name, name);
-  }
-  const std::string message = messageOf([] { readHmdProfile("narrow"); });
-  EXPECT_NE(message.find("desk, generic, wide"), std::string::npos) << message;
-  EXPECT_NE(messageOf([] { readHmdProfile("a/b"); }).find("a/b: no such file"), std::string::npos);
-}
-
 TEST_F(ConfigTest, TheListOfObjectsIsTheCatalogue) {
   std::ifstream file(COHERENCY_DOCS "/scenes.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -282,25 +273,6 @@ TEST_F(ConfigTest, TheListOfObjectsIsTheCatalogue) {
   EXPECT_NE(text.find("|---|---|---|\n" + table + "\n"), std::string::npos)
       << "docs/scenes.md must have this table:\n"
       << table;
-}
-
-TEST_F(ConfigTest, HmdNeedsBothEyesAndAPicture) {
-  const std::string eye = "left = 40.0\nright = 40.0\ndown = 40.0\nup = 40.0\n";
-  EXPECT_NO_THROW(readHmdProfile(write("[left]\n" + eye + "[right]\n" + eye)));
-  EXPECT_THROW(readHmdProfile(write("[left]\n" + eye)), ConfigError);
-  EXPECT_THROW(readHmdProfile(write("[left]\n" + eye + "[right]\nleft = 40.0\n")), ConfigError);
-  EXPECT_THROW(
-      readHmdProfile(write("[left]\n" + eye + "[right]\nleft = -40.0\nright = 40.0\ndown = 1.0\nup = 1.0\n")),
-      ConfigError);
-}
-
-TEST_F(ConfigTest, FittingKeepsPixelsSquareAndTheHorizontalView) {
-  const FieldOfView view = fieldOfViewFromDegrees(52.0, 44.0, 30.0, 50.0);
-  const FieldOfView fitted = fitToPicture(view, 640, 480);
-  EXPECT_EQ(fitted.tan_left, view.tan_left);
-  EXPECT_EQ(fitted.tan_right, view.tan_right);
-  EXPECT_NEAR((fitted.tan_left + fitted.tan_right) / 640, (fitted.tan_down + fitted.tan_up) / 480, 1e-15);
-  EXPECT_NEAR(fitted.tan_down / fitted.tan_up, view.tan_down / view.tan_up, 1e-15);
 }
 
 TEST_F(ConfigTest, Endpoints) {

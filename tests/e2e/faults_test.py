@@ -54,7 +54,7 @@ class BadInput(SessionTest):
         self.refuse(2, ["WIDTHxHEIGHT"], CLIENT, "--size", "640")
         self.refuse(2, ["16 to 16384"], CLIENT, "--size", "0x480")
         self.refuse(2, ["nowhere.toml: no such file"], CLIENT, "--hmd", "nowhere.toml")
-        self.refuse(2, ['"narrow" is not known', "desk, generic, wide"], CLIENT, "--hmd", "narrow")
+        self.refuse(2, ['"narrow" is not known', "desk, generic, index"], CLIENT, "--hmd", "narrow")
         for program in (SERVER, CLIENT):
             self.refuse(2, ["--stats-json /nope/x", "no folder /nope"], program, *(["--config", LABORATORY] * (
                 program == SERVER)), "--stats-json", "/nope/x")

@@ -2,51 +2,26 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 #include "common/math/FixedPoint.h"
-#include "common/motion/SampleGate.h"
 #include "render_client/draw/EyeViews.h"
-#include "tests/render/Support.h"
+#include "tests/render/Seated.h"
 
 namespace coherency {
 namespace {
 
-struct Head {
-  Coord3 lean;
-  YawPitchRoll turn;
-  BasePose base;
-};
-
-const std::array<Head, 2> kHeads = {
-    Head{{}, {}, {}},
-    Head{{0.1, 0.05, -0.1}, {0.5, -0.3, 0.2}, {1'500'000'000, 0, -2'000'000'000, 0x2000'0000}}};
-
-/// Puts the scene's operator there, as a received sample would.
-void pose(Scene& scene, const Head& head) {
-  const Rig& rig = scene.human().rig();
-  MasterReading reading;
-  reading.si = neutralPosture(rig);
-  for (const auto& [dof, by] : {std::pair{Dof::HeadX, head.lean.x},
-                                {Dof::HeadY, head.lean.y},
-                                {Dof::HeadZ, head.lean.z},
-                                {Dof::HeadYaw, head.turn.yaw},
-                                {Dof::HeadPitch, head.turn.pitch},
-                                {Dof::HeadRoll, head.turn.roll}})
-    reading.si[index(dof)] += by;
-  const MotionSample sample = SampleGate(neutralPosture(rig)).admit(reading, 1, 0);
-  for (std::size_t i = 0; i < kDofCount; ++i) ASSERT_TRUE(sample.isValid(dofAt(i))) << info(dofAt(i)).name;
-  WorldState state = scene.initialState();
-  state.master.base = head.base;
-  scene.apply(state, sample);
-}
+const std::array<Seat, 2> kHeads = {
+    Seat{{}, {}, {}},
+    Seat{{0.1, 0.05, -0.1}, {0.5, -0.3, 0.2}, {1'500'000'000, 0, -2'000'000'000, 0x2000'0000}}};
 
 TEST(EyeViews, EyesAreTheRigsEyeDistanceApartAndNeverInOnePlace) {
   for (const double eye_distance : {0.05, 0.064, 0.075})
-    for (const Head& head : kHeads) {
+    for (const Seat& head : kHeads) {
       Rig rig;
       rig.eye_distance = eye_distance;
       SeenScene scene(rig);
-      pose(scene, head);
+      sit(scene, head);
       std::vector<EyeView> both;
       std::vector<EyeView> one;
       eyeViews(scene, Mode::Operator, {}, EyeChoice::Both, 64, 48, both);
@@ -83,7 +58,7 @@ TEST(EyeViews, SayWhereTheOtherVehicleStandsWhereThereIsOne) {
 
   description.robot = RobotPlacement{basePose(-2.0, -1.0, 0.0), basePose(0.0, -2.0, 0.0)};
   Scene scene(description, {});
-  pose(scene, {{}, {}, description.start});
+  sit(scene, {{}, {}, description.start});
   for (const Mode mode : {Mode::Operator, Mode::Robot}) {
     const VRObject& driven =
         mode == Mode::Robot ? static_cast<const VRObject&>(*scene.robot()) : scene.human();
@@ -114,6 +89,78 @@ TEST(EyeViews, PixelsAreSquareWhateverThePicturesShape) {
     for (const EyeView& eye : views)
       EXPECT_NEAR((eye.view.tan_left + eye.view.tan_right) / width,
                   (eye.view.tan_down + eye.view.tan_up) / height, 1e-12);
+  }
+}
+
+/// As the published matrices of a headset with displays turned outwards by 5 degrees have it.
+TEST(EyeViews, CantedEyesSeeADirectionOnTheRightPixel) {
+  const HmdProfile hmd = readHmdProfile("index");
+  SeenScene scene;
+  sit(scene, kHeads[1]);
+  std::vector<EyeView> views;
+  eyeViews(scene, Mode::Operator, hmd, EyeChoice::Both, hmd.panel->width, hmd.panel->height, views);
+  const double outwards[] = {0.087156, -0.087156};
+  for (std::size_t e = 0; e < 2; ++e) {
+    const TransformMatrix t_world_eye =
+        scene.eye(e == 0 ? Eye::Left : Eye::Right, Mode::Operator).globalTransform();
+    EXPECT_LT(norm(views[e].t_world_eye.origin() - t_world_eye.origin()), 1e-12)
+        << "an eye turns about itself";
+    const TransformMatrix t_head_display = TransformMatrix::fromAxes(
+        {0.996195, 0.0, -outwards[e]}, {0.0, 1.0, 0.0}, {outwards[e], 0.0, 0.996195});
+    for (const Coord3& ahead : {Coord3{0.0, 0.0, -1.0}, Coord3{0.4, 0.3, -1.0}, Coord3{-0.5, -0.6, -2.0}}) {
+      const Coord3 p_display = t_head_display.linear().rigidInverse().vector(ahead);
+      const PixelPoint expected =
+          projectToPixels(views[e].view, p_display, hmd.panel->width, hmd.panel->height);
+      const Coord3 p_eye = views[e].t_world_eye.rigidInverse().point(t_world_eye.point(ahead));
+      const PixelPoint seen = projectToPixels(views[e].view, p_eye, hmd.panel->width, hmd.panel->height);
+      EXPECT_NEAR(seen.x, expected.x, 0.01);
+      EXPECT_NEAR(seen.y, expected.y, 0.01);
+    }
+  }
+  const Coord3 straight_left = views[0].t_world_eye.rigidInverse().vector(
+      scene.eye(Eye::Mono, Mode::Operator).globalTransform().vector({0.0, 0.0, -1.0}));
+  EXPECT_GT(straight_left.x, 0.0) << "the left display is turned to the left";
+}
+
+TEST(EyeViews, EveryShippedDisplayHasTheRigsEyeDistance) {
+  Rig rig;
+  rig.eye_distance = 0.059;
+  SeenScene scene(rig);
+  sit(scene, kHeads[1]);
+  std::vector<EyeView> views;
+  for (const auto& entry : std::filesystem::directory_iterator(COHERENCY_CONFIGS "/hmds")) {
+    const HmdProfile hmd = readHmdProfile(entry.path().string());
+    eyeViews(scene, Mode::Operator, hmd, EyeChoice::Both, 640, 480, views);
+    EXPECT_NEAR(norm(views[1].t_world_eye.origin() - views[0].t_world_eye.origin()), 0.059, 1e-9) << hmd.name;
+  }
+}
+
+TEST(EyeViews, TextIsSeenByBothEyesInOnePlaceThroughLensesAndOnCantedDisplays) {
+  SeenScene scene;
+  std::vector<EyeView> views;
+  for (const char* name : {"vive", "index", "rift_dk1"}) {
+    const HmdProfile hmd = readHmdProfile(name);
+    eyeViews(scene, Mode::Operator, hmd, EyeChoice::Both, 1200, 1200, views);
+    for (const double along : {0.0, 0.5, 1.0}) {
+      std::array<Coord3, 2> ahead;  // of between the eyes, where the lines of sight are 2 m away
+      for (std::size_t e = 0; e < 2; ++e) {
+        const EyeView& eye = views[e];
+        const double x = (eye.text_x + along * eye.text_width) / 1200;
+        const Coord3 sight{x * (eye.view.tan_left + eye.view.tan_right) - eye.view.tan_left,
+                           eye.view.tan_up - eye.text_y / 1200 * (eye.view.tan_up + eye.view.tan_down), -1.0};
+        ahead[e] = 2.0 * sight + Coord3{(e == 0 ? -0.5 : 0.5) * Rig{}.eye_distance, 0.0, 0.0};
+        const EyeDisplay& display = e == 0 ? hmd.left : hmd.right;
+        const Coord3 on_display = rotation(display.axis).rigidInverse().vector(sight);
+        EXPECT_LT(norm(on_display - eye.t_eye_head.vector(sight)), 1e-12) << name;
+        const PixelPoint at = projectToPixels(eye.view, on_display, 1200, 1200);
+        EXPECT_TRUE(at.x > 0.0 && at.x < 1200.0 && at.y > 0.0 && at.y < 1200.0) << name << " has it";
+        if (!display.lens) continue;
+        const auto shown = display.lens->shown(1, {sight.x, sight.y});
+        ASSERT_TRUE(shown) << name << " shows where text is";
+        EXPECT_TRUE(shown->x > 0.0 && shown->x < hmd.panel->width && shown->y > 0.0) << name;
+      }
+      EXPECT_LT(norm(ahead[0] - ahead[1]), along == 0.0 ? 1e-9 : 1e-3) << name;
+    }
   }
 }
 
@@ -185,9 +232,9 @@ void expectMarker(const Marker& marker, const std::vector<EyeView>& views, const
   EXPECT_NEAR(seen_x[0] - seen_x[1], disparity, 0.1) << "disparity at " << marker.distance << " m";
 }
 
-void expectMarkersInBothEyes(const Head& head, int width, int height) {
+void expectMarkersInBothEyes(const Seat& head, int width, int height) {
   SeenScene scene;
-  pose(scene, head);
+  sit(scene, head);
   addMarkers(scene);
   std::vector<EyeView> views;
   eyeViews(scene, Mode::Operator, {}, EyeChoice::Both, width, height, views);
@@ -198,16 +245,16 @@ void expectMarkersInBothEyes(const Head& head, int width, int height) {
 }
 
 TEST_F(Stereo, MarkersAreWhereGeometryPutsThemAt640x480) {
-  for (const Head& head : kHeads) expectMarkersInBothEyes(head, 640, 480);
+  for (const Seat& head : kHeads) expectMarkersInBothEyes(head, 640, 480);
 }
 
 TEST_F(Stereo, MarkersAreWhereGeometryPutsThemAt1280x1440) {
-  for (const Head& head : kHeads) expectMarkersInBothEyes(head, 1280, 1440);
+  for (const Seat& head : kHeads) expectMarkersInBothEyes(head, 1280, 1440);
 }
 
 TEST_F(Stereo, AnEyeAloneSeesWhatItSeesBesideTheOther) {
   SeenScene scene;
-  pose(scene, kHeads[1]);
+  sit(scene, kHeads[1]);
   addMarkers(scene);
   scene.setAmbient({0.2, 0.3, 0.4}, {0.1, 0.1, 0.1});
   scene.addLight(

@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include "render_client/draw/EyeViews.h"
+#include "render_client/draw/PictureSize.h"
 #include "tests/render/Support.h"
 
 namespace coherency {
@@ -90,6 +91,29 @@ TEST(Window, ShowsThePictureThatHeadlessDraws) {
     differing = shareDiffering(readScreen(screen, kWidth, kHeight), expected, 2);
   }
   EXPECT_LE(differing, 0.001) << "on the screen";
+}
+
+TEST(Window, ShowsWhatThePanelsMustForTheirLenses) {
+  const HmdProfile hmd = readHmdProfile("rift_dk1");
+  SeenScene scene;
+  addBoxes(scene);
+  DisplayConfig config;
+  config.width = 2 * kWidth;
+  config.height = kHeight;
+  const auto window = makeWindowDisplay(config);
+  const PanelSize picture = pictureSize(hmd, EyeChoice::Both, kWidth, kHeight, 1.0);
+  std::vector<EyeView> views;
+  eyeViews(scene, Mode::Operator, hmd, EyeChoice::Both, picture.width, picture.height, views);
+  Renderer renderer(scene, scene.illumination(), 2 * picture.width, picture.height);
+  renderer.setDisplay(hmd, EyeChoice::Both);
+  for (const int width : {2 * kWidth, kWidth}) {  // as when a window was made narrower
+    renderer.draw(views);
+    const Image panels = renderer.readPanel(width, kHeight);
+    renderer.present(width, kHeight);
+    EXPECT_EQ(readWindow(width, kHeight).rgb, panels.rgb);
+    EXPECT_GT(spot(panels, Green).light, 100.0);
+  }
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST(Window, NarrowerThanTwoEyesStillHasAPixelForEach) {

@@ -15,6 +15,7 @@
 #include "common/motion/SampleGate.h"
 #include "common/world/Scene.h"
 #include "render_client/draw/EyeViews.h"
+#include "render_client/draw/PictureSize.h"
 #include "render_client/draw/Renderer.h"
 #include "render_client/present/Display.h"
 #include "render_client/present/Png.h"
@@ -41,6 +42,7 @@ struct Options {
   std::vector<double> camera;
   std::vector<std::string> set;
   double fov_deg = 90.0;
+  std::string hmd;
   RendererSettings renderer;
   bool no_shadows = false;
 };
@@ -55,6 +57,8 @@ void addOptions(CLI::App& app, Options& o) {
   app.add_option("--fov", o.fov_deg, "Horizontal field of view, degrees")
       ->check(CLI::Range(1.0, 170.0))
       ->capture_default_str();
+  app.add_option("--hmd", o.hmd,
+                 "HMD profile in place of --fov; the picture is what its panels show, --size theirs");
   app.add_option("--head", o.head, "x,y,z,yaw,pitch,roll of the head in the body frame (m, rad)")
       ->delimiter(',')
       ->expected(6);
@@ -144,6 +148,20 @@ WorldState makeState(const Options& o, const Scene& scene) {
   return state;
 }
 
+/// Through a profile's displays, and what is then on their panels.
+Image panels(const Options& o, const Scene& scene, const PanelSize& size) {
+  const HmdProfile hmd = readHmdProfile(o.hmd);
+  const EyeChoice eyes = eyeChoice(o.eye);
+  const PanelSize picture = pictureSize(hmd, eyes, size.width, size.height, 1.0);
+  std::vector<EyeView> views;
+  eyeViews(scene, o.robot_mode ? Mode::Robot : Mode::Operator, hmd, eyes, picture.width, picture.height,
+           views);
+  Renderer renderer(scene, picture.width * eyeCount(eyes), picture.height, o.renderer);
+  renderer.setDisplay(hmd, eyes);
+  renderer.draw(views);
+  return renderer.readPanel(size.width * eyeCount(eyes), size.height);
+}
+
 std::vector<EyeView> makeViews(const Options& o, const Scene& scene, int width, int height) {
   const double tan_h = std::tan(0.5 * o.fov_deg * kDegree);
   const double tan_v = tan_h * height / width;
@@ -181,8 +199,12 @@ void look(Options& o) {
   scene->apply(state, makeSample(o, rig));
 
   const std::unique_ptr<Display> display = makeHeadlessDisplay(config);
-  const std::vector<EyeView> views = makeViews(o, *scene, config.width, config.height);
   o.renderer.shadows = !o.no_shadows;
+  if (!o.hmd.empty()) {
+    writePng(o.file, panels(o, *scene, {config.width, config.height}), {{"scene", o.scene}, {"hmd", o.hmd}});
+    return;
+  }
+  const std::vector<EyeView> views = makeViews(o, *scene, config.width, config.height);
   Renderer renderer(*scene, config.width * static_cast<int>(views.size()), config.height, o.renderer);
   renderer.draw(views);
   writePng(o.file, renderer.readImage(), {{"scene", o.scene}, {"renderer", renderer.rendererName()}});
