@@ -60,6 +60,7 @@ class CompiledScene {
 
   /// Reads the transforms of all that moves anew.
   void update();
+  const VRObject& object(const Drawable& drawable) const { return *nodes_[drawable.node].object; }
   /// T_world_node as of the last update().
   const TransformMatrix& worldTransform(const Drawable& drawable) const { return t_world_[drawable.node]; }
   /// About all of it, whatever its transform does to it (block clipping, paper, section III.C.2).

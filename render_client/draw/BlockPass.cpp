@@ -52,11 +52,11 @@ void BlockPass::begin(const Coord3& origin, const ViewPyramids& views, const Enc
   }
 }
 
-void BlockPass::draw() const {
+void BlockPass::draw(const Program* instead) const {
   offsets_.bind(GL_SHADER_STORAGE_BUFFER, 0);
-  glUseProgram(shaded_program_.name());
+  glUseProgram((instead == nullptr ? shaded_program_ : *instead).name());
   shaded_.draw();
-  glUseProgram(plain_program_.name());
+  glUseProgram((instead == nullptr ? plain_program_ : *instead).name());
   plain_.draw();
 }
 

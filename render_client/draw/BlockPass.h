@@ -25,9 +25,12 @@ class BlockPass {
   /// coordinates in which it is drawn, in the world, near the eyes. `shadow` may be null.
   void begin(const Coord3& origin, const ViewPyramids& views, const Enclosures& enclosures,
              const OverheadShadow* shadow);
-  /// Draws a view of the frame, whose uniforms and blocks' buffers are bound, into the bound framebuffer.
-  void draw() const;
+  /// Draws a view of the frame, whose uniforms and blocks' buffers are bound, into the bound framebuffer;
+  /// with another program `instead` of its own, if given.
+  void draw(const Program* instead = nullptr) const;
 
+  /// Which of the blocks the frame's draw command of that number draws.
+  std::size_t drawn(std::size_t number) const { return order_.shown()[number].number; }
   std::size_t shadedCount() const { return shaded_.size(); }  ///< blocks, in this frame
   std::size_t plainCount() const { return plain_.size(); }
 

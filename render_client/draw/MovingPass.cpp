@@ -75,11 +75,11 @@ MovingPass::Object MovingPass::objectOf(const Drawable& drawable, const Coord3& 
           glm::vec4(glm::dvec4((scene.place(root) - origin).glm(), drawable.root))};
 }
 
-void MovingPass::draw(const SceneBuffers& buffers) const {
+void MovingPass::draw(const SceneBuffers& buffers, const Program* instead) const {
   objects_.bind(GL_SHADER_STORAGE_BUFFER, 0);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, lamp_buffer_.name());
   buffers.bindMoving();
-  glUseProgram(program_.name());
+  glUseProgram((instead == nullptr ? program_ : *instead).name());
   commands_.draw();
 }
 

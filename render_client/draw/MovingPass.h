@@ -31,9 +31,12 @@ class MovingPass {
   /// `origin`: of the coordinates in which it is drawn, in the world, near the eyes.
   void begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& origin,
              const ViewPyramids& views, const Enclosures& enclosures);
-  /// Draws a view of the frame, whose uniforms are bound, into the bound framebuffer.
-  void draw(const SceneBuffers& buffers) const;
+  /// Draws a view of the frame, whose uniforms are bound, into the bound framebuffer; with another program
+  /// `instead` of its own, if given.
+  void draw(const SceneBuffers& buffers, const Program* instead = nullptr) const;
 
+  /// Which of the drawables the frame's draw command of that number draws.
+  std::size_t drawn(std::size_t number) const { return order_.shown()[number].number; }
   std::size_t count() const { return commands_.size(); }  ///< drawables, in this frame
 
  private:

@@ -11,6 +11,7 @@
 #include "render_client/compile/ToneCurve.h"
 #include "render_client/draw/BlockPass.h"
 #include "render_client/draw/DistortionPass.h"
+#include "render_client/draw/IdPicture.h"
 #include "render_client/draw/LampSets.h"
 #include "render_client/draw/MovingPass.h"
 #include "render_client/draw/OverheadShadow.h"
@@ -99,16 +100,20 @@ struct Renderer::Gl {
     mapped.begin(origin, pyramids, enclosures, map);
   }
 
-  void draw(std::span<const EyeView> views) {
+  /// The picture, or with `instead` what shows in it.
+  void draw(std::span<const EyeView> views, const IdPicture* instead = nullptr) {
+    const auto program = [&](LightSource light) {
+      return instead == nullptr ? nullptr : &instead->program(light);
+    };
     if (shadow) shadow->bindTexture();
     for (std::size_t i = 0; i < views.size(); ++i) {
       uniforms.bind(i);
       glViewport(views[i].x, views[i].y, views[i].width, views[i].height);
-      moving.draw(buffers);
+      moving.draw(buffers, program(LightSource::Lamps));
       buffers.bindMapped();
-      mapped.draw();
+      mapped.draw(program(LightSource::Lightmap));
       buffers.bindLit();  // the sky is among it: behind everything
-      lit.draw();
+      lit.draw(program(LightSource::Vertices));
     }
   }
 
@@ -139,6 +144,7 @@ struct Renderer::Gl {
   RenderTarget target;
   std::optional<OverheadShadow> shadow;
   std::optional<DistortionPass> distortion;
+  std::optional<IdPicture> ids;  ///< once it has been asked for
   bool resolved = false;
 };
 
@@ -197,6 +203,16 @@ Image Renderer::readPanel(int width, int height) {
   if (!gl_->distortion) return readImage();
   gl_->distort(width, height);
   return readPixels(gl_->distortion->framebuffer(), width, height);
+}
+
+IdImage Renderer::drawIds(std::span<const EyeView> views) {
+  if (!gl_->ids) gl_->ids.emplace(gl_->compiled);
+  setDrawingState();
+  gl_->prepare(views);
+  gl_->ids->begin(gl_->target.width(), gl_->target.height());
+  gl_->draw(views, &*gl_->ids);
+  assert(glGetError() == GL_NO_ERROR);
+  return gl_->ids->read(gl_->moving, gl_->lit, gl_->mapped);
 }
 
 void Renderer::resize(int width, int height) {

@@ -8,6 +8,7 @@
 #include "render_client/compile/Illumination.h"
 #include "render_client/draw/EyeView.h"
 #include "render_client/draw/EyeViews.h"
+#include "render_client/draw/IdImage.h"
 #include "render_client/draw/Image.h"
 #include "render_client/draw/RendererSettings.h"
 
@@ -58,6 +59,11 @@ class Renderer {
   Image readImage();
   /// What present() shows in a window of that size; without a lens the target as it is.
   Image readPanel(int width, int height);
+
+  /// Draws which object shows in each pixel, of what draw() would draw, and reads it back; the picture stays
+  /// as it is. Of all pictures of one renderer the numbers are the same. For tests: it is not fast. Throws
+  /// std::runtime_error where the driver has no target for it.
+  IdImage drawIds(std::span<const EyeView> views);
 
   void resize(int width, int height);
   int samples() const;                ///< a pixel, as the driver has them

@@ -26,6 +26,9 @@ const char* const kVertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 2) in uint object;
 
+#if IDS
+layout(location = 3) flat out uint number;
+#endif
 #if MAPPED
 layout(location = 0) out vec2 place;            // in the lightmap
 layout(location = 2) flat out vec4 colour;     // and emission
@@ -45,6 +48,9 @@ layout(location = 3) in vec4 material;  // roots of the colour, and emission
 void main() {
   vec3 p = offsets[object].xyz + position;
   gl_Position = clip_from_world * vec4(p, 1.0);
+#if IDS
+  number = object;
+#endif
   float share = 1.0 - material.a;
 #if MAPPED
   place = baked.xy;
@@ -90,6 +96,9 @@ float falloff(float square, float reach) {
 void main() {
   vec3 p = (objects[object].world_from_mesh * vec4(position, 1.0)).xyz;
   gl_Position = clip_from_world * vec4(p, 1.0);
+#if IDS
+  number = object;
+#endif
   vec3 n = normalize(mat3(objects[object].normal_x_emission.xyz, objects[object].normal_y.xyz,
                           objects[object].normal_z.xyz) * normal);
   vec3 to_eye = normalize(eye.xyz - p);
@@ -182,11 +191,18 @@ void main() {
 }
 )";
 
+const char* const kIdFragment = R"(
+layout(location = 3) flat in uint number;  // of the draw command
+layout(location = 0) out uvec4 drawn;
+void main() { drawn = uvec4(LIGHT_SOURCE + 1, number, gl_PrimitiveID, 0); }
+)";
+
 std::string defined(const ShaderVariant& variant) {
   const bool shadows = variant.shadow_resolution > 0;
   return "#version 450 core\n#define FIXED " +
          std::string(variant.light == LightSource::Lamps ? "false" : "true") + "\n#define MAPPED " +
-         (variant.light == LightSource::Lightmap ? "1" : "0") + "\n#define LAMPS " +
+         (variant.light == LightSource::Lightmap ? "1" : "0") + "\n#define IDS " + (variant.ids ? "1" : "0") +
+         "\n#define LIGHT_SOURCE " + std::to_string(static_cast<int>(variant.light)) + "\n#define LAMPS " +
          std::to_string(variant.lamps) + "\n#define SHADOWS " + (shadows ? "true" : "false") +
          "\n#define TEXEL " + std::to_string(shadows ? 1.0 / variant.shadow_resolution : 0.0) +
          "\n#define BRIGHTEST " + std::to_string(PackedLight::kBrightest) + "\n#define AMBIENT_SHADE " +
@@ -206,7 +222,7 @@ std::string movingVertexShader(const ShaderVariant& variant) {
 }
 
 std::string fragmentShader(const ShaderVariant& variant) {
-  return defined(variant) + kView + kFragment;
+  return defined(variant) + (variant.ids ? kIdFragment : std::string(kView) + kFragment);
 }
 
 const char* const kShadowVertexShader = R"(#version 450 core

@@ -7,7 +7,7 @@
 namespace coherency {
 
 // GLSL 4.50. What they read is laid out as ViewUniforms.cpp, BlockPass.h, MovingPass.h, OverheadShadow.cpp
-// and TextOverlay.cpp write it.
+// and TextOverlay.cpp write it, and what IdPicture.h reads as they write it.
 
 /// m, of a tile of the shadow map, on the floor.
 inline constexpr double kShadowTileWidth = 3.2;
@@ -20,6 +20,7 @@ struct ShaderVariant {
   LightSource light = LightSource::Vertices;
   std::size_t lamps = 0;      ///< of the chosen ones, for what moves
   int shadow_resolution = 0;  ///< texels a side of a tile of the map; 0: no shadows
+  bool ids = false;           ///< what is drawn, in place of how it looks (IdPicture)
 };
 
 std::string fixedVertexShader(const ShaderVariant& variant);
