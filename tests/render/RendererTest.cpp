@@ -1,6 +1,7 @@
 // The renderer as an object: its limits, its errors, sizes that change, text, and OpenGL left without
 // complaint.
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -115,6 +116,27 @@ TEST_F(RendererTest, RefusesSizesThatCannotBeAndGoesOnWithTheOldOne) {
   const RendererSettings coarse{.shadow_resolution = 3};
   EXPECT_TRUE(mentions(complaint([&] { Renderer(scene, scene.illumination(), 8, 8, coarse); }),
                        "shadow resolution 3 must be 16 to "));
+}
+
+TEST_F(RendererTest, IdsAreOfTheObjectsWhoseColoursShowAndLeaveThePictureAsItIs) {
+  TestScene scene;
+  const std::array<const VRObject*, 3> objects = {
+      &scene.add<Ellipsoid>({-0.5, 0.0, -2.0}, kRed, Coord3{0.7, 0.7, 0.7}),
+      &scene.addMoving<Box>({0.5, 0.0, -2.0}, kGreen, Coord3{0.7, 0.7, 0.7}),
+      &scene.add<Box>({0.0, 0.6, -1.5}, kBlue, Coord3{2.0, 0.3, 0.3})};
+  Renderer renderer(scene, scene.illumination(), kWidth, kHeight, {.samples = 1});
+  const EyeView view = lookingAhead({}, kWidth, kHeight);
+  const Image colours = picture(renderer, {&view, 1});
+  const IdImage image = renderer.drawIds({&view, 1});
+  EXPECT_EQ(renderer.readImage().rgb, colours.rgb);
+  ASSERT_EQ(image.ids.size(), static_cast<std::size_t>(kWidth * kHeight));
+  for (std::size_t i = 0; i < image.ids.size(); ++i) {
+    const VRObject* shown = image.ids[i] == 0 ? nullptr : image.objects.at(image.ids[i] - 1);
+    for (const Channel channel : {Red, Green, Blue})
+      ASSERT_EQ(shown == objects[channel], colours.rgb[3 * i + channel] > 0) << "pixel " << i;
+  }
+  renderer.resize(8, 6);
+  EXPECT_EQ(renderer.drawIds({}).ids, std::vector<std::uint32_t>(48, 0U)) << "without a view nothing shows";
 }
 
 TEST_F(RendererTest, CountsWhatItDraws) {

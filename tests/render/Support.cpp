@@ -99,6 +99,13 @@ double shareDiffering(const Image& a, const Image& b, int tolerance) {
   return 3.0 * differing / static_cast<double>(a.rgb.size());
 }
 
+bool sameDrawn(Renderer& a, Renderer& b, std::span<const EyeView> views) {
+  if (shareDiffering(picture(a, views), picture(b, views), 0) > 0.0) return false;
+  const IdImage in_a = a.drawIds(views);
+  const IdImage in_b = b.drawIds(views);
+  return in_a.ids == in_b.ids && in_a.objects == in_b.objects;
+}
+
 Image columns(const Image& image, int x_begin, int x_end) {
   Image cut{x_end - x_begin, image.height, {}};
   for (int y = 0; y < image.height; ++y)

@@ -106,6 +106,8 @@ inline Spot spot(const Image& image, Channel channel) {
 
 /// Share of the pixels of which some channel differs by more than `tolerance`; 1 where the sizes differ.
 double shareDiffering(const Image& a, const Image& b, int tolerance);
+/// Whether both renderers, of one scene, draw the same colours and the same objects in every pixel.
+bool sameDrawn(Renderer& a, Renderer& b, std::span<const EyeView> views);
 /// Columns x_begin to x_end.
 Image columns(const Image& image, int x_begin, int x_end);
 
