@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 // How light becomes a picture. The shaders have the same.
@@ -16,12 +17,12 @@ inline float encoded(float linear) {
   return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
-/// The same as the shaders have it, to 0.08 % of white: beyond sRGB's straight part a polynomial of the root.
+/// The same as the shaders have it, to 0.09 % of white: beyond sRGB's straight part a polynomial of the root.
 inline float encodedByShaders(float linear) {
   const float r = std::sqrt(linear);
   const float curve =
       (((-0.311395113F * r + 0.846885902F) * r - 0.947945999F) * r + 1.448778461F) * r - 0.037078028F;
-  return linear < 0.0031308F ? 12.92F * linear : curve;
+  return std::max(curve, std::min(12.92F * linear, 0.04045F));
 }
 
 }  // namespace coherency

@@ -153,15 +153,16 @@ layout(location = 0) in vec3 light;
 layout(location = 1) in vec4 shadow_at;
 layout(location = 0) out vec4 picture;
 
-// Straight up to a half, then a shoulder that reaches 1 at infinity: nothing clips. compile/ToneCurve.h has the same.
-vec3 tone(vec3 c) { return mix(1.0 - 0.25 / c, c, lessThan(c, vec3(0.5))); }
+// Straight up to a half, then a shoulder that reaches 1 at infinity: nothing clips. compile/ToneCurve.h has the same. No
+// choice between vectors here: on a software renderer one costs as much as all the rest.
+vec3 tone(vec3 c) { return min(c, 0.5) + 0.5 - 0.25 / max(c, 0.5); }
 
-// As sRGB, to 0.08 % of white. compile/ToneCurve.h has the same. Done here it is done once a pixel; left to the target, a
+// As sRGB, to 0.09 % of white. compile/ToneCurve.h has the same. Done here it is done once a pixel; left to the target, a
 // software renderer does it for every sample, which costs an eighth of the frame. One root: three cost a tenth.
 vec3 encoded(vec3 c) {
   vec3 r = sqrt(c);
   vec3 curve = (((-0.311395113 * r + 0.846885902) * r - 0.947945999) * r + 1.448778461) * r - 0.037078028;
-  return mix(curve, 12.92 * c, lessThan(c, vec3(0.0031308)));
+  return max(curve, min(12.92 * c, 0.04045));
 }
 
 // One lookup, which takes in two by two texels: on a software renderer a second one costs a tenth of the frame. Of what
