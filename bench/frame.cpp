@@ -101,6 +101,7 @@ int main(int argc, char** argv) {
   RendererSettings settings;
   int frames = 60;
   std::string profile;
+  bool explain = false;
   app.add_option("scene", name, "Scene's name or TOML file")->capture_default_str();
   app.add_option("--scenes", folder, "Folder of the scenes that are called by name")->capture_default_str();
   app.add_option("--width", config.width, "Pixels")->capture_default_str();
@@ -116,6 +117,7 @@ int main(int argc, char** argv) {
   app.add_option("--finest", settings.bake.finest, "Edges as short are not cut for that light, m")
       ->capture_default_str();
   app.add_flag("--no-shadows{false}", settings.shadows, "Draw without shadows");
+  app.add_flag("--explain", explain, "Print what was compiled, what was left out and why, and what it takes");
   CLI11_PARSE(app, argc, argv);
 
   const HmdProfile hmd = profile.empty() ? HmdProfile{} : readHmdProfile(profile);
@@ -131,8 +133,9 @@ int main(int argc, char** argv) {
   renderer.setDisplay(hmd, EyeChoice::Left);
   std::printf("renderer made in %.0f ms, %zu polygons, %zu triangles, %zu vertices, %.2f MiB, %s\n",
               millisecondsSince(begin), scene->polygonCount(), renderer.triangleCount(),
-              renderer.vertexCount(), static_cast<double>(renderer.vertexBytes()) / (1 << 20),
+              renderer.vertexCount(), static_cast<double>(renderer.report().bytes) / (1 << 20),
               renderer.rendererName().c_str());
+  if (explain) std::fputs(renderer.explain().c_str(), stdout);
   for (const Look& look : kLooks) {
     pose(*scene, look);
     std::vector<EyeView> views;

@@ -104,6 +104,8 @@ void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
   app.add_option("--video", options.video,
                  "write a film of the whole run to this .mp4 file, both eyes side by side; needs ffmpeg");
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
+  app.add_flag("--explain", options.explain,
+               "print what of the scene was compiled, what was left out and why, and what it takes");
   app.add_option("--wait", options.wait_s, "seconds to wait for the server at the start [10]")
       ->check(finite(0.0, 1e6));
   app.set_version_flag("--version", COHERENCY_VERSION);

@@ -29,6 +29,7 @@ struct ClientOptions {
   bool panel_snapshots = false;       ///< what the panels show, in place of what is seen
   std::string video;                  ///< file; empty: none
   std::string stats_json;
+  bool explain = false;  ///< say what was compiled, and what was left out
   double wait_s = 10.0;  ///< for the server, at the start
 };
 

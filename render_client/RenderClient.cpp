@@ -235,13 +235,22 @@ void RenderClient::drawFrame(const ReceivedPacket& pose, bool is_picture) {
   renderer_->resize(picture_.width * eyeCount(eyes_), picture_.height);
   eyeViews(replica_->scene(), replica_->world().mode, options_.hmd, eyes_, picture_.width, picture_.height,
            views_);
+  const std::size_t compilations = renderer_->compilations();
   renderer_->draw(views_);
+  if (renderer_->compilations() != compilations) noteFoundToMove();
   takeSnapshots(is_picture);
   addToVideo(pose.packet.world.tick);
   showText();
   if (display_->hasWindow()) renderer_->present(display_->width(), display_->height());
   display_->present();
   countFrame(pose, begun, now());
+}
+
+void RenderClient::noteFoundToMove() {
+  ++recompilations_;
+  for (const std::string& path : renderer_->report().found)
+    if (std::find(found_to_move_.begin(), found_to_move_.end(), path) == found_to_move_.end())
+      found_to_move_.push_back(path);
 }
 
 void RenderClient::countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented) {
@@ -358,6 +367,8 @@ ClientStats RenderClient::stats() const {
   stats.height = views_.empty() ? options_.height : views_.front().height;
   stats.samples = renderer_->samples();
   stats.hash_mismatches = replica_->hashMismatches();
+  stats.recompilations = recompilations_;
+  stats.found_to_move = found_to_move_;
   stats.link = link_.stats();
   if (first_frame_) {
     stats.first_frame_ms = static_cast<double>(*first_frame_ - started_) / 1e6;

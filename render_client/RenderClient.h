@@ -37,6 +37,8 @@ class RenderClient {
   void run(const std::function<void(const ClientStats&)>& onStatus);
   /// With what is known at this moment.
   ClientStats stats() const;
+  /// What of the scene was compiled and what was left out (Renderer::explain()).
+  std::string explain() const { return renderer_->explain(); }
 
  private:
   void awaitMotion(ClientTime deadline);
@@ -50,6 +52,7 @@ class RenderClient {
   std::uint64_t gridTick(double session_s) const;
   void fitPictures();
   void drawFrame(const ReceivedPacket& pose, bool is_picture);
+  void noteFoundToMove();
   void countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented);
   void takeSnapshots(bool is_picture);
   Image snapshot();
@@ -93,6 +96,8 @@ class RenderClient {
   bool snapshot_due_ = false;
   int snapshots_ = 0;
   std::uint64_t frames_ = 0;
+  std::uint64_t recompilations_ = 0;
+  std::vector<std::string> found_to_move_;  ///< paths, as they were found
   DurationHistogram frame_time_;
   DurationHistogram motion_to_present_;
 };

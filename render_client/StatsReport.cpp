@@ -30,9 +30,10 @@ std::string statusLine(const ClientStats& stats) {
 std::string overlayText(const ClientStats& stats) {
   return fmt::format(
       "{} eye  {}  {:.1f} fps\nframe {:.1f} ms  motion to picture {:.1f} ms\n"
-      "packets {}  lost {}  recovered {}\n{}",
+      "packets {}  lost {}  recovered {}\n{}{}",
       stats.eye, stats.scene, stats.fps, stats.frame_ms.p50, stats.motion_to_present_ms.p50,
-      stats.link.received, stats.link.lost, stats.link.recovered, clockText(stats.link));
+      stats.link.received, stats.link.lost, stats.link.recovered, clockText(stats.link),
+      stats.recompilations == 0 ? "" : fmt::format("\nscene compiled again {} times", stats.recompilations));
 }
 
 std::string statsJson(const ClientStats& stats) {
@@ -55,6 +56,8 @@ std::string statsJson(const ClientStats& stats) {
                                   {"reordered", link.reordered},
                                   {"rejected", link.rejected}}},
                                 {"replica", {{"hash_mismatches", stats.hash_mismatches}}},
+                                {"recompilations", stats.recompilations},
+                                {"found_to_move", stats.found_to_move},
                                 {"renderer", stats.renderer}};
   if (link.clock_known)
     all["clock"] = {{"offset_us", static_cast<double>(link.clock_offset_ns) / 1e3},

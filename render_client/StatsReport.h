@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/sync/DurationHistogram.h"
 #include "render_client/receive/ServerLink.h"
@@ -23,6 +24,8 @@ struct ClientStats {
   Spread frame_ms;              ///< pose to picture complete
   Spread motion_to_present_ms;  ///< sampling on the server to picture complete here
   std::uint64_t hash_mismatches = 0;
+  std::uint64_t recompilations = 0;        ///< of the scene, each a hitch
+  std::vector<std::string> found_to_move;  ///< paths of what moved without being declared Moving
   LinkStats link;
 };
 

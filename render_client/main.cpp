@@ -24,13 +24,18 @@ int main(int argc, char** argv) {
     RenderClient client(options, clock);
     const ClientStats begun = client.stats();
     fmt::print(stderr, "drawing {} with {}\n", begun.scene, begun.renderer);
+    if (options.explain) fmt::print("{}", client.explain());
     const bool terminal = isatty(STDERR_FILENO) != 0;
     LiveFile statistics(options.stats_json, statsJson(begun));
     LinkNews news(server);
+    std::size_t warned = 0;
     client.run([&](const ClientStats& stats) {
       statistics.update(statsJson(stats));
-      if (const auto line = news.since(stats.link))
-        fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", *line);
+      const char* const clear = terminal ? "\r\033[K" : "";
+      if (const auto line = news.since(stats.link)) fmt::print(stderr, "{}{}\n", clear, *line);
+      for (; warned < stats.found_to_move.size(); ++warned)
+        fmt::print(stderr, "{}'{}' moved, so the scene had to be compiled again; declare it Moving\n", clear,
+                   stats.found_to_move[warned]);
       if (terminal) fmt::print(stderr, "\r\033[K{}", statusLine(stats));
     });
     statistics.finish(statsJson(client.stats()));

@@ -20,8 +20,8 @@ struct Ambient {
   Coord3 ground{0.2, 0.2, 0.2};
 };
 
-/// The object and everything below it may move while the world runs. What is not so marked never moves: its
-/// geometry and its light are computed once (paper, section III.C.1).
+/// The object and everything below it may move while the world runs. What is not so marked is taken to stay:
+/// its geometry and its light are computed once (paper, section III.C.1), and all of it again when it moves.
 struct Moving {};
 
 /// The object never moves relative to what it is a member of; below something that moves it moves with that,

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "common/scene/Light.h"
+#include "common/scene/Mobility.h"
 #include "render_client/compile/Refine.h"
 
 namespace coherency {
@@ -50,19 +50,23 @@ double lightingEdge(const VRObject& object, const Coord3& half_extent) {
 }  // namespace
 
 CompiledScene::CompiledScene(const VRObject& root, const Illumination& illumination,
-                             const BakeSettings& settings) {
+                             const BakeSettings& settings, const ObjectSet& found_to_move)
+    : watch_(root) {
   nodes_.push_back({nullptr, kWorld});
   t_world_.emplace_back();
   FixedMesh mesh;
-  addTree(root, mesh);
+  addTree(root, found_to_move, mesh);
   update();
   const std::vector<std::uint32_t> uncut = mesh.indices;
   bake_ = bake(mesh, illumination, settings);
   fixed_.emplace(mesh, uncut, bake_.light, settings.finest);
   bake_.light = {};
+  report_.lamps = illumination.lamps.size();
+  report_.tolerance = settings.tolerance;
+  report(mesh, uncut);
 }
 
-void CompiledScene::addTree(const VRObject& root, FixedMesh& mesh) {
+void CompiledScene::addTree(const VRObject& root, const ObjectSet& found_to_move, FixedMesh& mesh) {
   struct Pending {
     const VRObject* object;
     TransformMatrix t_world_parent;
@@ -71,19 +75,36 @@ void CompiledScene::addTree(const VRObject& root, FixedMesh& mesh) {
   while (!pending.empty()) {
     const auto [object, t_world_parent] = pending.back();
     pending.pop_back();
-    if (object->attribute<Moving>() != nullptr) {
-      addMovingTree(*object, t_world_parent);
+    const Mobility mobile = mobility(*object);
+    const bool found = mobile == Mobility::Undeclared && found_to_move.contains(object);
+    if (found || mobile == Mobility::Moving) {
+      addMovingTree(*object, t_world_parent, found);
       continue;
     }
     const TransformMatrix t_world_object = t_world_parent * object->transform();
-    mesh.add(*object, t_world_object);
-    if (const auto* enclosure = object->attribute<Enclosure>(); enclosure != nullptr)
-      enclosures_.push_back({*enclosure, t_world_object});
+    addFixed(*object, t_world_object, mesh);
     for (const VRObject* member : object->members()) pending.push_back({member, t_world_object});
   }
 }
 
-void CompiledScene::addMovingTree(const VRObject& root, const TransformMatrix& t_world_parent) {
+void CompiledScene::addFixed(const VRObject& object, const TransformMatrix& t_world_object, FixedMesh& mesh) {
+  watch_.addFixed(object);
+  if (const auto* enclosure = object.attribute<Enclosure>(); enclosure != nullptr)
+    enclosures_.push_back({*enclosure, t_world_object});
+  const Shows shows = mesh.add(object, t_world_object);
+  if (shows == Shows::NoFaces) {
+    ++report_.without_faces;
+    return;
+  }
+  CompileReport::Objects& kind = shows == Shows::Faces    ? report_.fixed
+                                 : shows == Shows::NoArea ? report_.without_area
+                                                          : report_.flat;
+  kind.add(object.faces()->faces.size());
+  if (shows == Shows::Faces && object.attribute<Fixed>() != nullptr) ++report_.declared_fixed;
+}
+
+void CompiledScene::addMovingTree(const VRObject& root, const TransformMatrix& t_world_parent, bool found) {
+  if (found) report_.found.push_back(root.path());
   const auto above = count(nodes_);
   nodes_.push_back({nullptr, kWorld});
   t_world_.push_back(t_world_parent);
@@ -92,7 +113,9 @@ void CompiledScene::addMovingTree(const VRObject& root, const TransformMatrix& t
   // Nodes are appended while the list is walked: breadth first, parents before their members.
   for (std::uint32_t n = above + 1; n < nodes_.size(); ++n) {
     const VRObject& object = *nodes_[n].object;
-    addMoving(object, n);
+    watch_.addMoving(object, found && &object == &root);
+    if (addMoving(object, n))
+      (found ? report_.found_to_move : report_.declared_moving).add(object.faces()->faces.size());
     for (const VRObject* member : object.members()) nodes_.push_back({member, n});
   }
   t_world_.resize(nodes_.size());
@@ -120,10 +143,17 @@ Coord3 CompiledScene::middleOf(std::size_t first, std::uint32_t root) const {
   return Coord3(glm::mix(low, high, glm::dvec3(0.5, 0.75, 0.5)));
 }
 
-void CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
-  if (object.faces() == nullptr) return;
+/// Whether it shows anything.
+bool CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
+  if (object.faces() == nullptr) {
+    ++report_.without_faces;
+    return false;
+  }
   Mesh mesh = meshOf(object);
-  if (mesh.indices.empty()) return;
+  if (mesh.indices.empty()) {
+    report_.without_area.add(object.faces()->faces.size());
+    return false;
+  }
   const Coord3 half_extent = halfExtent(mesh.vertices);
   refine(mesh, lightingEdge(object, half_extent));
   moving_.drawables.push_back({{count(moving_.indices), count(mesh.indices), count(moving_.vertices)},
@@ -135,6 +165,27 @@ void CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
                                count(roots_)});
   moving_.vertices.insert(moving_.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
   moving_.indices.insert(moving_.indices.end(), mesh.indices.begin(), mesh.indices.end());
+  return true;
+}
+
+void CompiledScene::report(const FixedMesh& mesh, const std::vector<std::uint32_t>& uncut) {
+  const auto surfaces = [&](const auto& of, std::size_t blocks) {
+    report_.bytes += of.vertices.size() * sizeof(of.vertices[0]) + of.indices.size() * sizeof(std::uint32_t);
+    return CompileReport::Surfaces{blocks, of.indices.size() / 3, of.vertices.size()};
+  };
+  report_.triangles_before = uncut.size() / 3;
+  report_.triangles_cut = mesh.indices.size() / 3;
+  report_.lit = surfaces(fixed_->lit, fixed_->lit.blocks.size());
+  report_.mapped = surfaces(fixed_->mapped, fixed_->mapped.blocks.size());
+  report_.moving = surfaces(moving_, roots_.size());
+  report_.charts = fixed_->lightmap.chartCount();
+  report_.lightmap_width = fixed_->lightmap.width();
+  report_.lightmap_height = fixed_->lightmap.height();
+  report_.bytes += fixed_->lightmap.texels().size() * sizeof(PackedLight);
+  report_.enclosures = enclosures_.size();
+  for (const auto* blocks : {&fixed_->lit.blocks, &fixed_->mapped.blocks})
+    for (const Block& block : *blocks)
+      report_.largest_radius = std::max(report_.largest_radius, block.radius);
 }
 
 void CompiledScene::update() {

@@ -8,34 +8,12 @@
 #include "common/scene/Enclosure.h"
 #include "common/scene/VRObject.h"
 #include "render_client/compile/Bake.h"
+#include "render_client/compile/CompileReport.h"
 #include "render_client/compile/FixedBlocks.h"
-#include "render_client/compile/MeshBuilder.h"
+#include "render_client/compile/MovingSurfaces.h"
+#include "render_client/compile/SceneWatch.h"
 
 namespace coherency {
-
-/// An object that moves and shows faces: where its triangles are, and whose they are.
-struct Drawable {
-  IndexRange range;
-  const FaceSet* faces;  ///< its material may change at any time, its shape may not
-  std::uint32_t node;    ///< for CompiledScene::worldTransform()
-  Coord3 origin;         ///< of its vertices, in the node's frame: about the middle of its box
-  Coord3 half_extent;    ///< of a box about them, in the node's axes
-  double radius;         ///< of a sphere about `origin` that holds them, in the node's frame
-  std::uint32_t root;    ///< its place in CompiledScene::movingRoots()
-};
-
-/// What moves as a whole: an object with the attribute Moving, and all below it that shows faces.
-struct MovingRoot {
-  std::uint32_t node;
-  Coord3 middle;  ///< in the node's frame: a little above that of the box about all, as it was compiled
-};
-
-/// All triangles of what moves in one buffer.
-struct MovingSurfaces {
-  std::vector<MeshVertex> vertices;
-  std::vector<std::uint32_t> indices;  ///< from a drawable's first vertex
-  std::vector<Drawable> drawables;
-};
 
 /// An enclosure, and where it stands: T_world_object.
 struct PlacedEnclosure {
@@ -43,15 +21,27 @@ struct PlacedEnclosure {
   TransformMatrix t_world_object;
 };
 
-/// A tree of objects made ready for drawing (geometry compilation, paper, section III.C.1). What never moves,
-/// no object from the root down to it having the attribute Moving, stands in the world once and for all, with
-/// its light at its vertices or in a texture (FixedBlocks). What moves is a list, parents first: a frame
-/// walks no pointers and allocates nothing. The tree must outlive this and keep its structure; transforms may
-/// change where it is marked so, materials everywhere, although light keeps the colours it had.
+/// A tree of objects made ready for drawing (geometry compilation, paper, section III.C.1). What is fixed
+/// stands in the world once and for all, with its light at its vertices or in a texture (FixedBlocks): no
+/// object from the root down to it is declared Moving, or was found to move and is not declared. What moves
+/// is a list, parents first: a frame walks no pointers and allocates nothing.
+///
+/// The tree is watched (SceneWatch): what moves may do so, materials may change everywhere, although light
+/// keeps the colours it had, and what is declared Fixed refuses. Whatever else changes, an object's death
+/// too, makes this stale: it is then to be replaced by a new one, and until then nothing but its destructor,
+/// isStale(), root() and foundToMove() may be called.
 class CompiledScene {
  public:
-  /// Throws what buildMesh() throws, with the object's path.
-  CompiledScene(const VRObject& root, const Illumination& illumination, const BakeSettings& settings = {});
+  /// Throws what buildMesh() throws, with the object's path, and what mobility() throws.
+  CompiledScene(const VRObject& root, const Illumination& illumination, const BakeSettings& settings = {},
+                const ObjectSet& found_to_move = {});
+  CompiledScene(const CompiledScene&) = delete;
+  CompiledScene& operator=(const CompiledScene&) = delete;
+
+  bool isStale() const { return watch_.isStale(); }
+  const VRObject* root() const { return watch_.root(); }  ///< null when it has died
+  ObjectSet foundToMove() const { return watch_.foundToMove(); }
+  const CompileReport& report() const { return report_; }
 
   const FixedBlocks& fixed() const { return *fixed_; }
   /// Of the objects that never move.
@@ -60,6 +50,15 @@ class CompiledScene {
 
   /// Reads the transforms of all that moves anew.
   void update();
+  /// Gives fixed() the new materials of what was repainted since the last call, and calls repainted(object)
+  /// for each.
+  template <class Repainted>
+  void repaint(const Repainted& repainted) {
+    watch_.takeRepainted([&](const VRObject& object) {
+      fixed_->repaint(object);
+      repainted(object);
+    });
+  }
   const VRObject& object(const Drawable& drawable) const { return *nodes_[drawable.node].object; }
   /// T_world_node as of the last update().
   const TransformMatrix& worldTransform(const Drawable& drawable) const { return t_world_[drawable.node]; }
@@ -78,11 +77,15 @@ class CompiledScene {
     std::uint32_t parent;
   };
 
-  void addTree(const VRObject& root, FixedMesh& mesh);
-  void addMovingTree(const VRObject& root, const TransformMatrix& t_world_parent);
-  void addMoving(const VRObject& object, std::uint32_t node);
+  void addTree(const VRObject& root, const ObjectSet& found_to_move, FixedMesh& mesh);
+  void addFixed(const VRObject& object, const TransformMatrix& t_world_object, FixedMesh& mesh);
+  void addMovingTree(const VRObject& root, const TransformMatrix& t_world_parent, bool found);
+  bool addMoving(const VRObject& object, std::uint32_t node);
+  void report(const FixedMesh& mesh, const std::vector<std::uint32_t>& uncut);
   Coord3 middleOf(std::size_t first, std::uint32_t root) const;
 
+  SceneWatch watch_;
+  CompileReport report_;
   std::vector<Node> nodes_;  ///< of one without an object the transform stays
   std::vector<TransformMatrix> t_world_;
   std::vector<MovingRoot> roots_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -42,6 +44,7 @@ class BlockBuilder {
            group(boxes_, FixedBlocks::kBlockTriangles, FixedBlocks::kBlockSize))
         addBlock(members, wanted, write);
     }
+    orderByObject();
     return std::move(surfaces_);
   }
 
@@ -114,6 +117,14 @@ class BlockBuilder {
                                {first_index, count(surfaces_.indices) - first_index, first_vertex}});
   }
 
+  void orderByObject() {
+    std::vector<std::uint32_t>& places = surfaces_.by_object;
+    places.resize(surfaces_.parts.size());
+    std::iota(places.begin(), places.end(), 0U);
+    const auto object = [this](std::uint32_t place) { return surfaces_.parts[place].object; };
+    std::ranges::sort(places, std::less<>(), object);
+  }
+
   /// By the vertices as they are drawn.
   void measure(Block& block) const {
     glm::dvec3 extent(0.0);
@@ -143,7 +154,24 @@ Triangles trianglesWhere(const Triangles& all, const auto& wanted) {
   return some;
 }
 
+template <class Vertex>
+void repaintIn(BlockSurfaces<Vertex>& surfaces, const VRObject& object) {
+  for (const std::uint32_t place : surfaces.partsOf(object)) {
+    const BlockPart& part = surfaces.parts[place];
+    for (std::uint32_t v = 0; v < part.vertex_count; ++v)
+      surfaces.vertices[part.range.first_vertex + v].material = materialOf(object.faces()->material);
+  }
+}
+
 }  // namespace
+
+template <class Vertex>
+std::span<const std::uint32_t> BlockSurfaces<Vertex>::partsOf(const VRObject& object) const {
+  const auto of = [this](std::uint32_t place) { return parts[place].object; };
+  return std::ranges::equal_range(by_object, &object, std::less<>(), of);
+}
+template struct BlockSurfaces<LitVertex>;
+template struct BlockSurfaces<MappedVertex>;
 
 PackedMaterial materialOf(const Material& material) {
   const auto root = [](double share) { return byte(std::sqrt(std::max(share, 0.0))); };
@@ -166,6 +194,11 @@ FixedBlocks::FixedBlocks(const FixedMesh& mesh, const Triangles& uncut,
                         const glm::vec2 place = lightmap.place(mesh, v);
                         vertex.place = {place.x, place.y};
                       });
+}
+
+void FixedBlocks::repaint(const VRObject& object) {
+  repaintIn(lit, object);
+  repaintIn(mapped, object);
 }
 
 }  // namespace coherency

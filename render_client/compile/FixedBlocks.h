@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/math/Frustum.h"
@@ -61,7 +62,11 @@ struct BlockSurfaces {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<Block> blocks;
-  std::vector<BlockPart> parts;
+  std::vector<BlockPart> parts;          ///< as they lie in the buffers
+  std::vector<std::uint32_t> by_object;  ///< places in `parts`, ordered by object (std::less)
+
+  /// Places in `parts`.
+  std::span<const std::uint32_t> partsOf(const VRObject& object) const;
 };
 
 /// All that never moves, ready for the GPU (geometry compilation, paper, section III.C.1): what is flat and
@@ -80,6 +85,10 @@ struct FixedBlocks {
   /// lightmap may be, m.
   FixedBlocks(const FixedMesh& mesh, const std::vector<std::uint32_t>& uncut,
               const std::vector<SurfaceLight>& light, double finest);
+
+  /// Gives the object's vertices the material that it has now. The light, of other surfaces too, stays as it
+  /// was.
+  void repaint(const VRObject& object);
 };
 
 }  // namespace coherency

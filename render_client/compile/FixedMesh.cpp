@@ -42,11 +42,12 @@ Mesh meshOf(const VRObject& object) {
   }
 }
 
-void FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_object) {
-  if (object.faces() == nullptr) return;
+Shows FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_object) {
+  if (object.faces() == nullptr) return Shows::NoFaces;
   const Mesh mesh = meshOf(object);
+  if (mesh.indices.empty()) return Shows::NoArea;
   const Turn turn = turnOf(t_world_object);
-  if (mesh.indices.empty() || turn == Turn::Flat) return;
+  if (turn == Turn::Flat) return Shows::Flat;
   const glm::dmat3 linear(t_world_object.glm());
   const glm::dmat3 normals = normalMatrix(linear);
   const auto first = static_cast<std::uint32_t>(vertices.size());
@@ -65,6 +66,7 @@ void FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_objec
   }
   objects.push_back(
       {&object, t_world_object.point(mesh.origin), longestEdge(*object.faces(), size), isRod(mesh, linear)});
+  return Shows::Faces;
 }
 
 }  // namespace coherency

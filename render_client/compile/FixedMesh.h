@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -18,6 +19,14 @@ inline constexpr double kShines = 0.5;
 /// Nor do rods and rails, no thicker than this both ways across: lamps are wide, and what they leave of such
 /// a shadow is finer than the mesh that would have to show it.
 inline constexpr double kRod = 0.07;  // m
+
+/// What there is to see of an object itself.
+enum class Shows : std::uint8_t {
+  Faces,
+  NoFaces,  ///< it groups others
+  NoArea,   ///< its faces are points and lines
+  Flat,     ///< its transform squashes it (kFlat)
+};
 
 /// An object that never moves and shows faces.
 struct FixedObject {
@@ -42,9 +51,9 @@ struct FixedMesh {
   std::vector<std::uint32_t>
       indices;  ///< three a triangle, counter-clockwise seen from outside; object by object
 
-  /// Objects without faces or squashed flat add nothing. Throws what buildMesh() throws, with the object's
-  /// path.
-  void add(const VRObject& object, const TransformMatrix& t_world_object);
+  /// Adds nothing where there is nothing to see. Throws what buildMesh() throws, with the
+  /// object's path.
+  Shows add(const VRObject& object, const TransformMatrix& t_world_object);
 
   const FixedObject& objectOf(std::uint32_t vertex) const { return objects[vertices[vertex].object]; }
 };

@@ -33,6 +33,7 @@ class Lightmap {
   int width() const { return width_; }  ///< texels; 0 where nothing had to be cut
   int height() const { return height_; }
   const std::vector<PackedLight>& texels() const { return texels_; }  ///< row by row
+  std::size_t chartCount() const { return patches_.size(); }          ///< surfaces that have their light here
 
   /// Whether the triangles about a vertex have their light from here.
   bool has(std::uint32_t vertex) const {

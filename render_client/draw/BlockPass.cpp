@@ -18,15 +18,16 @@ Program program(const char* name, const ShaderVariant& variant) {
 
 }  // namespace
 
-BlockPass::BlockPass(const std::vector<Block>& blocks, LightSource light, int shadow_resolution)
+BlockPass::BlockPass(const std::vector<Block>& blocks, LightSource light, const ShadowMapSize& shadows)
     : blocks_(blocks),
       plain_program_(program("fixed", {.light = light})),
-      shaded_program_(program("fixed, in shadow", {.light = light, .shadow_resolution = shadow_resolution})),
       plain_(blocks.size()),
       shaded_(blocks.size()),
       spheres_(spheresOf(blocks)),
       order_(blocks.size()),
       offsets_(blocks.size() * sizeof(glm::vec4)) {
+  if (shadows.resolution > 0)
+    shaded_program_ = program("fixed, in shadow", {.light = light, .shadows = shadows});
   seen_.reserve(blocks.size());
   for (const Block& block : blocks) boxes_.push_back(worldBox(block));
 }
@@ -54,8 +55,10 @@ void BlockPass::begin(const Coord3& origin, const ViewPyramids& views, const Enc
 
 void BlockPass::draw(const Program* instead) const {
   offsets_.bind(GL_SHADER_STORAGE_BUFFER, 0);
-  glUseProgram((instead == nullptr ? shaded_program_ : *instead).name());
-  shaded_.draw();
+  if (shaded_program_) {
+    glUseProgram((instead == nullptr ? *shaded_program_ : *instead).name());
+    shaded_.draw();
+  }
   glUseProgram((instead == nullptr ? plain_program_ : *instead).name());
   plain_.draw();
 }

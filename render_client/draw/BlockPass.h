@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -18,8 +19,8 @@ namespace coherency {
 /// a shader that looks for it in every pixel.
 class BlockPass {
  public:
-  /// `blocks` must outlive this. `shadow_resolution`: texels a side of the map; 0: no shadows.
-  BlockPass(const std::vector<Block>& blocks, LightSource light, int shadow_resolution);
+  /// `blocks` must outlive this.
+  BlockPass(const std::vector<Block>& blocks, LightSource light, const ShadowMapSize& shadows);
 
   /// Chooses what is drawn in this frame, by all its views: what one of them may see. `origin`: of the
   /// coordinates in which it is drawn, in the world, near the eyes. `shadow` may be null.
@@ -37,7 +38,7 @@ class BlockPass {
  private:
   const std::vector<Block>& blocks_;
   Program plain_program_;
-  Program shaded_program_;
+  std::optional<Program> shaded_program_;
   DrawCommands plain_;
   DrawCommands shaded_;
   SphereTree spheres_;

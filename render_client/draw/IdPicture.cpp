@@ -70,17 +70,17 @@ void IdPicture::begin(int width, int height) {
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
 }
 
-IdImage IdPicture::read(const MovingPass& moving, const BlockPass& lit, const BlockPass& mapped) const {
+IdImage IdPicture::read(const MovingPass* moving, const BlockPass* lit, const BlockPass* mapped) const {
   const auto object = [&](const Drawn& drawn) {
     switch (static_cast<LightSource>(drawn.light - 1)) {
       case LightSource::Vertices:
-        return objectOf(scene_.fixed().lit, lit, drawn);
+        return objectOf(scene_.fixed().lit, *lit, drawn);
       case LightSource::Lightmap:
-        return objectOf(scene_.fixed().mapped, mapped, drawn);
+        return objectOf(scene_.fixed().mapped, *mapped, drawn);
       case LightSource::Lamps:
         break;
     }
-    return &scene_.object(scene_.moving().drawables[moving.drawn(drawn.number)]);
+    return &scene_.object(scene_.moving().drawables[moving->drawn(drawn.number)]);
   };
   const auto columns = static_cast<std::size_t>(width_);
   const auto rows = static_cast<std::size_t>(height_);

@@ -24,8 +24,8 @@ class IdPicture {
   void begin(int width, int height);
   /// Draws what has its light from there.
   const Program& program(LightSource light) const { return programs_[static_cast<std::size_t>(light)]; }
-  /// `moving`, `lit` and `mapped` as they were drawn.
-  IdImage read(const MovingPass& moving, const BlockPass& lit, const BlockPass& mapped) const;
+  /// `moving`, `lit` and `mapped` as they were drawn; null: there is none.
+  IdImage read(const MovingPass* moving, const BlockPass* lit, const BlockPass* mapped) const;
 
  private:
   struct Target {

@@ -9,9 +9,9 @@
 
 namespace coherency {
 
-MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution)
-    : program_(makeProgram("moving", movingVertexShader({LightSource::Lamps, lamp_count, shadow_resolution}),
-                           fragmentShader({LightSource::Lamps, lamp_count, shadow_resolution}))),
+MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, const ShadowMapSize& shadows)
+    : program_(makeProgram("moving", movingVertexShader({LightSource::Lamps, lamp_count, shadows}),
+                           fragmentShader({LightSource::Lamps, lamp_count, shadows}))),
       commands_(scene.moving().drawables.size()),
       order_(scene.moving().drawables.size()),
       objects_(scene.moving().drawables.size() * sizeof(Object)) {

@@ -12,6 +12,7 @@
 #include "render_client/draw/LampSets.h"
 #include "render_client/draw/NearestFirst.h"
 #include "render_client/draw/SceneBuffers.h"
+#include "render_client/draw/ShaderSources.h"
 #include "render_client/draw/StreamBuffer.h"
 #include "render_client/draw/WorldBox.h"
 
@@ -21,10 +22,9 @@ namespace coherency {
 /// to, and its shadows on itself are looked for in every pixel.
 class MovingPass {
  public:
-  /// `lamp_count` of the chosen lamps, at most kChosenLamps; `shadow_resolution`: texels a side of the map,
-  /// 0: no shadows. Fixed, so that the shader has no loops or branches (on a software renderer they cost ten
-  /// times the arithmetic).
-  MovingPass(const CompiledScene& scene, std::size_t lamp_count, int shadow_resolution);
+  /// `lamp_count` of the chosen lamps, at most kChosenLamps. That and the map's size are fixed, so that the
+  /// shader has no loops or branches (on a software renderer they cost ten times the arithmetic).
+  MovingPass(const CompiledScene& scene, std::size_t lamp_count, const ShadowMapSize& shadows);
 
   /// Chooses what is drawn in this frame, by all its views: what one of them may see. `lamps` as updated for
   /// this frame.

@@ -37,18 +37,8 @@ WorldBox withShadow(WorldBox box, double down_to) {
   return box;
 }
 
-int checkedResolution(int resolution) {
-  GLint limit = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-  limit /= 2;  // two tiles side by side
-  if (resolution < 16 || resolution > limit)
-    throw std::runtime_error("shadow resolution " + std::to_string(resolution) + " must be 16 to " +
-                             std::to_string(limit) + " with this driver");
-  return resolution;
-}
-
-void makeMap(GLuint texture, int resolution) {
-  glTextureStorage2D(texture, 1, GL_DEPTH_COMPONENT32F, 2 * resolution, resolution);
+void makeMap(GLuint texture, const ShadowMapSize& size) {
+  glTextureStorage2D(texture, 1, GL_DEPTH_COMPONENT32F, size.tiles * size.resolution, size.resolution);
   glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -59,12 +49,22 @@ void makeMap(GLuint texture, int resolution) {
 
 }  // namespace
 
-OverheadShadow::OverheadShadow(int resolution, std::size_t moving_count)
-    : resolution_(checkedResolution(resolution)),
-      program_(makeProgram("shadow", kShadowVertexShader, kShadowFragmentShader)),
-      tiles_{Tile(moving_count), Tile(moving_count)} {
+void OverheadShadow::check(const ShadowMapSize& size) {
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  limit /= size.tiles;
+  if (size.resolution < 16 || size.resolution > limit)
+    throw std::runtime_error("shadow resolution " + std::to_string(size.resolution) + " must be 16 to " +
+                             std::to_string(limit) + " with this driver");
+}
+
+OverheadShadow::OverheadShadow(const ShadowMapSize& size, std::size_t moving_count)
+    : resolution_(size.resolution),
+      program_(makeProgram("shadow", kShadowVertexShader, kShadowFragmentShader)) {
+  check(size);
+  while (std::ssize(tiles_) < size.tiles) tiles_.emplace_back(moving_count);
   casters_.reserve(moving_count);
-  makeMap(depth_.name(), resolution);
+  makeMap(depth_.name(), size);
   glClearTexImage(depth_.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
   glNamedFramebufferDrawBuffer(frame_.name(), GL_NONE);
@@ -100,7 +100,7 @@ void OverheadShadow::placeTiles(const EyeView& view, const ViewPyramids& views) 
   const Coord3 middle = view.t_world_vehicle.point({0.0, 0.0, -kAhead});
   tiles_[0].place(middle, texel);
   tile_count_ = 1;
-  if (!view.t_world_other_vehicle) return;
+  if (tiles_.size() < 2 || !view.t_world_other_vehicle) return;
   const Coord3 other = view.t_world_other_vehicle->origin();
   const glm::dvec3 away = glm::abs((other - middle).glm());
   if (std::max({away.x, away.y, away.z}) + kOther < kFull * kHalf) return;
@@ -164,6 +164,12 @@ void OverheadShadow::drawTile(std::size_t number, const CompiledScene& scene) {
   tile.matrices.bind(GL_SHADER_STORAGE_BUFFER, 0);
   tile.commands.draw();
   std::swap(tile.casters, tile.drawn);
+}
+
+std::string OverheadShadow::explain() const {
+  const std::string side = std::to_string(resolution_);
+  return std::to_string(tiles_.size()) + " x " + side + " x " + side + " texels" +
+         (tiles_.size() < 2 ? ", no second tile: there is no other vehicle" : "");
 }
 
 bool OverheadShadow::reaches(const WorldBox& box) const {

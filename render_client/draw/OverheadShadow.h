@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include <deque>
+#include <string>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -10,6 +11,7 @@
 #include "render_client/draw/EyeView.h"
 #include "render_client/draw/GlObjects.h"
 #include "render_client/draw/SceneBuffers.h"
+#include "render_client/draw/ShaderSources.h"
 #include "render_client/draw/StreamBuffer.h"
 #include "render_client/draw/WorldBox.h"
 
@@ -19,13 +21,16 @@ namespace coherency {
 /// high above a table a hand is. A map of heights as seen along that light, 3.2 m wide on the floor and up to
 /// 4 m above it, that goes with the vehicle one drives, in steps of its texels, so that shadows neither crawl
 /// nor jump; they fade towards its border. Where the scene's other vehicle is in view and stands beyond it, a
-/// second tile of the same texture goes with that. Both see the same things along the same light on the same
-/// lattice, so that it makes no difference from which of them a pixel has its shadow. A tile in which nothing
-/// has moved is not drawn anew. Only what moves casts; what it casts on may move or not.
+/// second tile of the same texture, if it has one, goes with that. Both see the same things along the same
+/// light on the same lattice, so that it makes no difference from which of them a pixel has its shadow. A
+/// tile in which nothing has moved is not drawn anew. Only what moves casts; what it casts on may move or
+/// not.
 class OverheadShadow {
  public:
-  /// Throws std::runtime_error where the driver has no such resolution. `moving_count`: of drawables.
-  OverheadShadow(int resolution, std::size_t moving_count);
+  /// Throws std::runtime_error where the driver has no such resolution.
+  static void check(const ShadowMapSize& size);
+  /// Throws what check() throws. `moving_count`: of drawables.
+  OverheadShadow(const ShadowMapSize& size, std::size_t moving_count);
 
   /// For the vehicles of a view.
   void update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views);
@@ -39,6 +44,8 @@ class OverheadShadow {
   glm::mat4 mappingFrom(const Coord3& eye) const;
   /// After update(): to be added to the same for the second tile; out of all tiles where there is none.
   glm::vec3 toSecondTile() const;
+  /// What it takes, in words.
+  std::string explain() const;
   void bindTexture() const { glBindTextureUnit(0, depth_.name()); }
 
  private:
@@ -65,11 +72,11 @@ class OverheadShadow {
   void chooseCasters(const CompiledScene& scene);
   void drawTile(std::size_t number, const CompiledScene& scene);
 
-  int resolution_;
+  int resolution_;  ///< texels a side of a tile
   Texture depth_;
   Framebuffer frame_;
   Program program_;
-  std::array<Tile, 2> tiles_;
+  std::deque<Tile> tiles_;
   std::size_t tile_count_ = 1;  ///< in this frame
   std::vector<WorldBox> casters_;
 };

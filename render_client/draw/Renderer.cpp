@@ -1,24 +1,16 @@
 #include "render_client/draw/Renderer.h"
 
-#include <algorithm>
 #include <cassert>
 #include <optional>
 #include <stdexcept>
 
 #include <epoxy/gl.h>
 
-#include "render_client/compile/CompiledScene.h"
 #include "render_client/compile/ToneCurve.h"
-#include "render_client/draw/BlockPass.h"
 #include "render_client/draw/DistortionPass.h"
-#include "render_client/draw/IdPicture.h"
-#include "render_client/draw/LampSets.h"
-#include "render_client/draw/MovingPass.h"
-#include "render_client/draw/OverheadShadow.h"
+#include "render_client/draw/DrawnScene.h"
 #include "render_client/draw/RenderTarget.h"
-#include "render_client/draw/SceneBuffers.h"
 #include "render_client/draw/TextOverlay.h"
-#include "render_client/draw/ViewUniforms.h"
 
 namespace coherency {
 namespace {
@@ -53,68 +45,31 @@ void setDrawingState() {
   glDisable(GL_FRAMEBUFFER_SRGB);  // the shaders encode
 }
 
+RendererSettings neededBy(const Scene& scene, RendererSettings settings) {
+  settings.two_vehicles = settings.two_vehicles && scene.robot() != nullptr;
+  return settings;
+}
+
 }  // namespace
 
 struct Renderer::Gl {
-  Gl(const VRObject& root, const Illumination& illumination, int width, int height,
+  Gl(const VRObject& root, Illumination illumination_, int width, int height,
      const RendererSettings& settings_)
       : settings(settings_),
-        ambient(illumination.ambient),
-        compiled(root, illumination, settings_.bake),
-        buffers(compiled),
-        lamps(illumination, compiled),
-        moving(compiled, std::min(illumination.lamps.size(), kChosenLamps), shadowResolution()),
-        lit(compiled.fixed().lit.blocks, LightSource::Vertices, shadowResolution()),
-        mapped(compiled.fixed().mapped.blocks, LightSource::Lightmap, shadowResolution()),
-        enclosures(compiled.enclosures()),
-        target(width, height, settings_.samples) {
-    if (settings.shadows) shadow.emplace(settings.shadow_resolution, compiled.moving().drawables.size());
-  }
+        illumination(std::move(illumination_)),
+        scene(std::make_unique<DrawnScene>(root, illumination, settings)),
+        target(width, height, settings.samples) {}
 
-  int shadowResolution() const { return settings.shadows ? settings.shadow_resolution : 0; }
-
-  void clipTo(std::span<const EyeView> views) {
-    pyramids.clear();
-    enclosures.begin();
-    if (!settings.clip) return;
-    for (const EyeView& view : views) {
-      pyramids.add({view.t_world_eye, view.view, view.near_m});
-      const double pixel = std::max((view.view.tan_left + view.view.tan_right) / view.width,
-                                    (view.view.tan_down + view.view.tan_up) / view.height);
-      enclosures.addView(view.t_world_eye, view.view, view.near_m, pixel);
-    }
-  }
-
-  /// All that is done for a frame before the GPU is told to draw it.
-  void prepare(std::span<const EyeView> views) {
-    compiled.update();
-    clipTo(views);
-    if (views.empty()) return;
-    const Coord3 origin = views.front().t_world_eye.origin();
-    if (shadow) shadow->update(compiled, views.front(), pyramids);
-    const OverheadShadow* const map = shadow ? &*shadow : nullptr;
-    lamps.update();
-    uniforms.write(views, origin, ambient, map);
-    moving.begin(compiled, lamps, origin, pyramids, enclosures);
-    lit.begin(origin, pyramids, enclosures, map);
-    mapped.begin(origin, pyramids, enclosures, map);
-  }
-
-  /// The picture, or with `instead` what shows in it.
-  void draw(std::span<const EyeView> views, const IdPicture* instead = nullptr) {
-    const auto program = [&](LightSource light) {
-      return instead == nullptr ? nullptr : &instead->program(light);
-    };
-    if (shadow) shadow->bindTexture();
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      uniforms.bind(i);
-      glViewport(views[i].x, views[i].y, views[i].width, views[i].height);
-      moving.draw(buffers, program(LightSource::Lamps));
-      buffers.bindMapped();
-      mapped.draw(program(LightSource::Lightmap));
-      buffers.bindLit();  // the sky is among it: behind everything
-      lit.draw(program(LightSource::Vertices));
-    }
+  /// Compiles the tree again where it is not as it was compiled. Where that throws, the next call tries
+  /// again.
+  void followTree() {
+    if (!scene->compiled().isStale()) return;
+    const VRObject* const root = scene->compiled().root();
+    if (root == nullptr)
+      throw std::logic_error(
+          "Renderer::draw: the tree it was made for has died; make a new one, or end this first");
+    scene = std::make_unique<DrawnScene>(*root, illumination, settings, scene->compiled().foundToMove());
+    ++compilations;
   }
 
   void resolve() {
@@ -130,21 +85,12 @@ struct Renderer::Gl {
 
   VersionCheck version;
   RendererSettings settings;
-  Ambient ambient;
-  CompiledScene compiled;
-  SceneBuffers buffers;
-  LampSets lamps;
-  MovingPass moving;
-  BlockPass lit;
-  BlockPass mapped;
-  ViewPyramids pyramids;
-  Enclosures enclosures;
-  ViewUniforms uniforms;
+  Illumination illumination;
+  std::unique_ptr<DrawnScene> scene;  ///< never null
+  std::size_t compilations = 1;
   TextOverlay text;
   RenderTarget target;
-  std::optional<OverheadShadow> shadow;
   std::optional<DistortionPass> distortion;
-  std::optional<IdPicture> ids;  ///< once it has been asked for
   bool resolved = false;
 };
 
@@ -152,21 +98,26 @@ Renderer::Renderer(const VRObject& root, const Illumination& illumination, int w
                    const RendererSettings& settings)
     : gl_(std::make_unique<Gl>(root, illumination, width, height, settings)) {}
 
+Renderer::Renderer(const Scene& scene, int width, int height, const RendererSettings& settings)
+    : Renderer(scene, {scene.lights(), scene.ambient()}, width, height, neededBy(scene, settings)) {}
+
 Renderer::~Renderer() = default;
 
 void Renderer::prepare(std::span<const EyeView> views) {
-  gl_->prepare(views);
+  gl_->followTree();
+  gl_->scene->prepare(views);
 }
 
 void Renderer::draw(std::span<const EyeView> views) {
   setDrawingState();
-  gl_->prepare(views);
-  if (gl_->shadow && !views.empty()) gl_->shadow->draw(gl_->compiled, gl_->buffers);
+  gl_->followTree();
+  gl_->scene->prepare(views);
+  if (!views.empty()) gl_->scene->drawShadows();
   gl_->target.bind();
-  const glm::vec3 sky(gl_->ambient.sky.glm());
+  const glm::vec3 sky(gl_->illumination.ambient.sky.glm());
   glClearColor(encoded(tone(sky.r)), encoded(tone(sky.g)), encoded(tone(sky.b)), 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  gl_->draw(views);
+  gl_->scene->draw(views);
   gl_->resolved = false;
   assert(glGetError() == GL_NO_ERROR);
 }
@@ -206,13 +157,12 @@ Image Renderer::readPanel(int width, int height) {
 }
 
 IdImage Renderer::drawIds(std::span<const EyeView> views) {
-  if (!gl_->ids) gl_->ids.emplace(gl_->compiled);
   setDrawingState();
-  gl_->prepare(views);
-  gl_->ids->begin(gl_->target.width(), gl_->target.height());
-  gl_->draw(views, &*gl_->ids);
+  gl_->followTree();
+  gl_->scene->prepare(views);
+  IdImage image = gl_->scene->drawIds(views, gl_->target.width(), gl_->target.height());
   assert(glGetError() == GL_NO_ERROR);
-  return gl_->ids->read(gl_->moving, gl_->lit, gl_->mapped);
+  return image;
 }
 
 void Renderer::resize(int width, int height) {
@@ -228,29 +178,24 @@ std::string Renderer::rendererName() const {
   return glText(GL_RENDERER);
 }
 std::size_t Renderer::triangleCount() const {
-  const CompiledScene& compiled = gl_->compiled;
-  return (compiled.fixed().lit.indices.size() + compiled.fixed().mapped.indices.size() +
-          compiled.moving().indices.size()) /
-         3;
+  const CompileReport& of = report();
+  return of.lit.triangles + of.mapped.triangles + of.moving.triangles;
 }
 std::size_t Renderer::vertexCount() const {
-  const CompiledScene& compiled = gl_->compiled;
-  return compiled.fixed().lit.vertices.size() + compiled.fixed().mapped.vertices.size() +
-         compiled.moving().vertices.size();
-}
-std::size_t Renderer::vertexBytes() const {
-  const CompiledScene& compiled = gl_->compiled;
-  return compiled.fixed().lit.vertices.size() * sizeof(LitVertex) +
-         compiled.fixed().mapped.vertices.size() * sizeof(MappedVertex) +
-         compiled.fixed().lightmap.texels().size() * sizeof(PackedLight) +
-         compiled.moving().vertices.size() * sizeof(MeshVertex) + 3 * triangleCount() * sizeof(std::uint32_t);
-}
-std::size_t Renderer::objectCount() const {
-  return gl_->compiled.fixed().object_count + gl_->compiled.moving().drawables.size();
+  const CompileReport& of = report();
+  return of.lit.vertices + of.mapped.vertices + of.moving.vertices;
 }
 FrameCounts Renderer::counts() const {
-  return {gl_->moving.count(), gl_->lit.shadedCount() + gl_->mapped.shadedCount(),
-          gl_->lit.plainCount() + gl_->mapped.plainCount()};
+  return gl_->scene->counts();
+}
+const CompileReport& Renderer::report() const {
+  return gl_->scene->compiled().report();
+}
+std::string Renderer::explain() const {
+  return gl_->scene->explain();
+}
+std::size_t Renderer::compilations() const {
+  return gl_->compilations;
 }
 
 }  // namespace coherency

@@ -9,6 +9,7 @@ struct RendererSettings {
   int samples = 4;              ///< antialiasing samples a pixel, the nearest the driver has; 1: none
   bool shadows = true;          ///< of what moves
   int shadow_resolution = 768;  ///< texels a side, for 3.2 m
+  bool two_vehicles = true;     ///< false: no shadows about EyeView::t_world_other_vehicle
   bool clip = true;             ///< leave out what is not in view; false is for measuring and testing
   BakeSettings bake = {};       ///< light of what never moves
 };

@@ -9,9 +9,9 @@ namespace {
 
 /// A buffer of size 0 is an error in OpenGL, an empty scene is not.
 template <class T>
-void store(const Buffer& buffer, const std::vector<T>& data) {
+void store(const Buffer& buffer, const std::vector<T>& data, GLbitfield flags = 0) {
   const auto bytes = static_cast<GLsizeiptr>(data.size() * sizeof(T));
-  glNamedBufferStorage(buffer.name(), bytes > 0 ? bytes : 1, bytes > 0 ? data.data() : nullptr, 0);
+  glNamedBufferStorage(buffer.name(), bytes > 0 ? bytes : 1, bytes > 0 ? data.data() : nullptr, flags);
 }
 
 void addMaterial(GLuint array, std::size_t offset) {
@@ -25,7 +25,7 @@ void addMaterial(GLuint array, std::size_t offset) {
 template <class Vertex>
 void SceneBuffers::upload(Surfaces& to, const std::vector<Vertex>& vertices,
                           const std::vector<std::uint32_t>& indices) {
-  store(to.vertices, vertices);
+  store(to.vertices, vertices, GL_DYNAMIC_STORAGE_BIT);
   store(to.indices, indices);
   const GLuint array = to.array.name();
   glVertexArrayElementBuffer(array, to.indices.name());
@@ -55,6 +55,21 @@ SceneBuffers::SceneBuffers(const CompiledScene& scene) {
   glVertexArrayAttribFormat(moving_.array.name(), 1, 3, GL_FLOAT, GL_FALSE, offsetof(MeshVertex, normal));
   addMaterial(lit_.array.name(), offsetof(LitVertex, material));
   addMaterial(mapped_.array.name(), offsetof(MappedVertex, material));
+}
+
+template <class Vertex>
+void SceneBuffers::rewrite(Surfaces& to, const BlockSurfaces<Vertex>& from, const VRObject& object) {
+  for (const std::uint32_t place : from.partsOf(object)) {
+    const BlockPart& part = from.parts[place];
+    glNamedBufferSubData(to.vertices.name(), static_cast<GLintptr>(part.range.first_vertex * sizeof(Vertex)),
+                         static_cast<GLsizeiptr>(part.vertex_count * sizeof(Vertex)),
+                         &from.vertices[part.range.first_vertex]);
+  }
+}
+
+void SceneBuffers::rewrite(const FixedBlocks& fixed, const VRObject& object) {
+  rewrite(lit_, fixed.lit, object);
+  rewrite(mapped_, fixed.mapped, object);
 }
 
 void SceneBuffers::upload(const Lightmap& lightmap) {

@@ -19,7 +19,10 @@ layout(std140, binding = 0) uniform View {
 
 // 0 in a tile's middle, 1 at its border.
 float offTile(vec3 at) { return max(abs(at.x), abs(at.y)); }
-vec3 inTexture(vec3 at, bool second) { return vec3(at.xy * vec2(0.25, 0.5) + vec2(second ? 0.75 : 0.25, 0.5), at.z); }
+vec3 inTexture(vec3 at, bool second) {
+  return TWO_TILES ? vec3(at.xy * vec2(0.25, 0.5) + vec2(second ? 0.75 : 0.25, 0.5), at.z)
+                   : vec3(at.xy * 0.5 + 0.5, at.z);
+}
 )";
 
 const char* const kVertex = R"(
@@ -133,7 +136,7 @@ void main() {
     // All of a whole is looked up in one tile, and it is lit again before a triangle that begins in it ends beyond it.
     vec3 at = inShadowMap(p + vec3(0.0, 0.002 + 2.0 * TEXEL * TILE_WIDTH * rise, 0.0));
     vec3 middle = inShadowMap(objects[object].place_root.xyz);
-    bool second = offTile(middle + to_second_tile.xyz) < offTile(middle);
+    bool second = TWO_TILES && offTile(middle + to_second_tile.xyz) < offTile(middle);
     at = second ? at + to_second_tile.xyz : at;
     float fade = clamp(3.75 - 5.0 * offTile(at), 0.0, 1.0);
     shadow_at = vec4(inTexture(at, second), fade * share * (1.0 - emission));
@@ -171,7 +174,7 @@ float shadow() {
   vec3 at = shadow_at.xyz;
   float share = shadow_at.w;
   if (FIXED) {
-    vec3 in_second = at + to_second_tile.xyz;
+    vec3 in_second = TWO_TILES ? at + to_second_tile.xyz : at;
     float off_first = offTile(at);
     float off_second = offTile(in_second);
     share *= clamp(5.0 - 5.0 * min(off_first, off_second), 0.0, 1.0);
@@ -199,14 +202,15 @@ void main() { drawn = uvec4(LIGHT_SOURCE + 1, number, gl_PrimitiveID, 0); }
 )";
 
 std::string defined(const ShaderVariant& variant) {
-  const bool shadows = variant.shadow_resolution > 0;
+  const bool shadows = variant.shadows.resolution > 0;
   return "#version 450 core\n#define FIXED " +
          std::string(variant.light == LightSource::Lamps ? "false" : "true") + "\n#define MAPPED " +
          (variant.light == LightSource::Lightmap ? "1" : "0") + "\n#define IDS " + (variant.ids ? "1" : "0") +
          "\n#define LIGHT_SOURCE " + std::to_string(static_cast<int>(variant.light)) + "\n#define LAMPS " +
          std::to_string(variant.lamps) + "\n#define SHADOWS " + (shadows ? "true" : "false") +
-         "\n#define TEXEL " + std::to_string(shadows ? 1.0 / variant.shadow_resolution : 0.0) +
-         "\n#define BRIGHTEST " + std::to_string(PackedLight::kBrightest) + "\n#define AMBIENT_SHADE " +
+         "\n#define TEXEL " + std::to_string(shadows ? 1.0 / variant.shadows.resolution : 0.0) +
+         "\n#define TWO_TILES " + (variant.shadows.tiles == 2 ? "true" : "false") + "\n#define BRIGHTEST " +
+         std::to_string(PackedLight::kBrightest) + "\n#define AMBIENT_SHADE " +
          std::to_string(kAmbientShade) + "\n#define TILE_WIDTH " + std::to_string(kShadowTileWidth) +
          "\n#define TO_SHADOW_LIGHT vec3(" + std::to_string(-kShadowLean.x) + ", 1.0, " +
          std::to_string(-kShadowLean.y) + ")\n";

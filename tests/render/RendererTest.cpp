@@ -139,11 +139,21 @@ TEST_F(RendererTest, IdsAreOfTheObjectsWhoseColoursShowAndLeaveThePictureAsItIs)
   EXPECT_EQ(renderer.drawIds({}).ids, std::vector<std::uint32_t>(48, 0U)) << "without a view nothing shows";
 }
 
+TEST_F(RendererTest, OneTileOfTheShadowMapShowsWhatTwoDoWhereThereIsNoOtherVehicle) {
+  TestScene scene;
+  addLitBoxes(scene);
+  scene.addMoving<Box>({0.0, 0.2, -1.5}, matt(0.8, 0.8, 0.8), Coord3{0.3, 0.02, 0.3});
+  const EyeView view = lookingAhead({}, kWidth, kHeight);
+  const Image two = picture(scene, view);
+  EXPECT_LT(shareDiffering(picture(scene, view, {.two_vehicles = false}), two, 1), 0.002);
+  EXPECT_GT(shareDiffering(picture(scene, view, {.shadows = false}), two, 8), 0.004) << "there are shadows";
+}
+
 TEST_F(RendererTest, CountsWhatItDraws) {
   TestScene scene;
   addLitBoxes(scene);
   const Renderer renderer(scene, scene.illumination(), 8, 8, {.samples = 1});
-  EXPECT_EQ(renderer.objectCount(), 3U);
+  EXPECT_EQ(renderer.report().objects(), 3U);
   EXPECT_GE(renderer.triangleCount(), 12U + 12U + 2U * 16U * 7U);
   EXPECT_EQ(renderer.samples(), 1);
   EXPECT_FALSE(renderer.rendererName().empty());

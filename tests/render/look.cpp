@@ -209,8 +209,8 @@ void look(Options& o) {
   renderer.draw(views);
   writePng(o.file, renderer.readImage(), {{"scene", o.scene}, {"renderer", renderer.rendererName()}});
   std::printf("%s: %zu objects, %zu polygons, %zu triangles, %zu vertices, %d samples, %s\n", o.file.c_str(),
-              renderer.objectCount(), scene->polygonCount(), renderer.triangleCount(), renderer.vertexCount(),
-              renderer.samples(), renderer.rendererName().c_str());
+              renderer.report().objects(), scene->polygonCount(), renderer.triangleCount(),
+              renderer.vertexCount(), renderer.samples(), renderer.rendererName().c_str());
 }
 
 }  // namespace
