@@ -116,6 +116,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--finest", settings.bake.finest, "Edges as short are not cut for that light, m")
       ->capture_default_str();
+  app.add_option("--detail-px", settings.detail_px, "How far curved things may be drawn off, pixels")
+      ->capture_default_str();
+  app.add_option("--smallest-px", settings.smallest_px, "Leave out what is smaller across, pixels")
+      ->capture_default_str();
   app.add_flag("--no-shadows{false}", settings.shadows, "Draw without shadows");
   app.add_flag("--explain", explain, "Print what was compiled, what was left out and why, and what it takes");
   CLI11_PARSE(app, argc, argv);
@@ -143,8 +147,10 @@ int main(int argc, char** argv) {
     timeFrames(renderer, *display, views, 3);
     const FrameTime time = timeFrames(renderer, *display, views, frames);
     const FrameCounts counts = renderer.counts();
-    std::printf("%-8s %6.2f ms a frame, %6.2f ms of processor; %zu move, %zu near them, %zu others\n",
-                look.name, time.wall, time.processor, counts.moving, counts.fixed_shaded, counts.fixed_plain);
+    std::printf(
+        "%-8s %6.2f ms a frame, %6.2f ms of processor; %zu move, %zu near them, %zu others, %zu triangles\n",
+        look.name, time.wall, time.processor, counts.moving, counts.fixed_shaded, counts.fixed_plain,
+        counts.triangles);
   }
   if (hasLens(hmd, EyeChoice::Left)) timeLens(renderer, config, picture, frames);
   return 0;

@@ -21,6 +21,28 @@ std::vector<Coord3> cornersOf(const std::vector<std::uint32_t>& face, const std:
   return corners;
 }
 
+void checkFaces(const std::vector<std::vector<std::uint32_t>>& faces, const std::vector<Coord3>& vertices,
+                const std::string& self) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const std::string what = self + ": face " + std::to_string(i);
+    checkFace(cornersOf(faces[i], vertices, what), what);
+  }
+}
+
+void checkLevels(const std::vector<DetailLevel>& levels, const std::vector<Coord3>& vertices,
+                 const std::string& self) {
+  double last = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const std::string what = self + ": coarser level " + std::to_string(i);
+    if (!(levels[i].error > last) || !std::isfinite(levels[i].error))
+      throw std::invalid_argument(what + ": error is " + std::to_string(levels[i].error) +
+                                  " m; it must be finite and above the last finer one's, " +
+                                  std::to_string(last) + " m");
+    last = levels[i].error;
+    checkFaces(levels[i].faces, vertices, what);
+  }
+}
+
 }  // namespace
 
 Polyhedron::Polyhedron(std::vector<Coord3> vertices, std::vector<std::vector<std::uint32_t>> faces,
@@ -30,19 +52,20 @@ Polyhedron::Polyhedron(std::vector<Coord3> vertices, std::vector<std::vector<std
 }
 
 void Polyhedron::setShape(std::vector<Coord3> vertices, std::vector<std::vector<std::uint32_t>> faces,
-                          bool smooth) {
+                          bool smooth, std::vector<DetailLevel> coarser) {
   const std::string self = "Polyhedron '" + name() + "'";
   for (std::size_t i = 0; i < vertices.size(); ++i)
     if (!isFinite(vertices[i]))
       throw std::invalid_argument(self + ": vertex " + std::to_string(i) + " is not finite");
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const std::string what = self + ": face " + std::to_string(i);
-    checkFace(cornersOf(faces[i], vertices, what), what);
-  }
-  if (vertices == faces_.vertices && faces == faces_.faces && smooth == faces_.smooth) return;
+  checkFaces(faces, vertices, self);
+  checkLevels(coarser, vertices, self);
+  if (vertices == faces_.vertices && faces == faces_.faces && smooth == faces_.smooth &&
+      coarser == faces_.coarser)
+    return;
   faces_.vertices = std::move(vertices);
   faces_.faces = std::move(faces);
   faces_.smooth = smooth;
+  faces_.coarser = std::move(coarser);
   tell(ObjectChange::Reshaped);
 }
 

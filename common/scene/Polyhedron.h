@@ -7,7 +7,8 @@ namespace coherency {
 
 /// A general polyhedron (paper, section III.B). Vertices that are not finite, indices out of range, and faces
 /// that are degenerate, not plane or not convex (the limits of Polygon) are refused with
-/// std::invalid_argument naming them.
+/// std::invalid_argument naming them; so are coarser levels with such faces, or with errors that do not rise
+/// from above zero.
 class Polyhedron : public VRObject {
  public:
   explicit Polyhedron(std::string name = {}) : VRObject(std::move(name)) {}
@@ -15,7 +16,7 @@ class Polyhedron : public VRObject {
              std::string name = {});
 
   void setShape(std::vector<Coord3> vertices, std::vector<std::vector<std::uint32_t>> faces,
-                bool smooth = false);
+                bool smooth = false, std::vector<DetailLevel> coarser = {});
   /// See FaceSet::crease_angle; radians, 0 or more, else std::invalid_argument.
   void setCreaseAngle(double angle_rad);
   void setMaterial(const Material& material);

@@ -60,6 +60,47 @@ void addBand(std::vector<Face>& faces, const Face& low, const Face& high) {
   }
 }
 
+template <class T>
+std::vector<T> everyOther(const std::vector<T>& all) {
+  std::vector<T> some;
+  for (std::size_t i = 0; i < all.size(); i += 2) some.push_back(all[i]);
+  return some;
+}
+
+/// Half as many sides, for the next coarser level; 0: there is none. `among`: sides come in multiples of it.
+int halfOf(int sides, int among) {
+  constexpr int kFewest = 6;
+  return sides % (2 * among) == 0 && sides / 2 >= kFewest ? sides / 2 : 0;
+}
+
+/// How far a regular polygon lies from the circle about it, of the circle's radius.
+double sagitta(int sides) {
+  const double sine = std::sin(0.5 * kHalfTurn / sides);
+  return 2.0 * sine * sine;
+}
+
+std::vector<Face> frustumFaces(const Face& bottom, const Face& top) {
+  const auto isPoint = [](const Face& ring) { return ring.front() == ring.back(); };
+  std::vector<Face> faces;
+  addBand(faces, bottom, top);
+  if (!isPoint(top)) faces.push_back(top);
+  if (!isPoint(bottom)) faces.emplace_back(bottom.rbegin(), bottom.rend());
+  return faces;
+}
+
+/// A face's point on the unit sphere stands at least cos(half a side's angle) from the middle for either
+/// direction, and where the sphere is stretched, so is the gap, no more than along the longest axis.
+double ellipsoidError(const Coord3& semi_axes, int sides) {
+  const double sine = std::sin(kHalfTurn / sides);
+  return std::max({semi_axes.x, semi_axes.y, semi_axes.z}) * sine * sine;
+}
+
+std::vector<Face> facesBetween(const std::vector<Face>& rings) {
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i + 1 < rings.size(); ++i) addBand(faces, rings[i], rings[i + 1]);
+  return faces;
+}
+
 /// Crease angle that keeps the caps of a frustum sharp and its side smooth, where the two can be told apart;
 /// otherwise (few sides) zero, which keeps every edge sharp.
 double frustumCrease(double radius_bottom, double radius_top, double height, int sides) {
@@ -105,13 +146,16 @@ void Cylinder::setTapered(double radius_bottom, double radius_top, double height
   checkSize(height, false, "Cylinder", "height");
   checkSides(sides, 3, "Cylinder");
   std::vector<Coord3> vertices;
-  std::vector<Face> faces;
-  const Face bottom = addRing(vertices, radius_bottom, -0.5 * height, sides);
-  const Face top = addRing(vertices, radius_top, 0.5 * height, sides);
-  addBand(faces, bottom, top);
-  if (radius_top > 0.0) faces.push_back(top);
-  if (radius_bottom > 0.0) faces.emplace_back(bottom.rbegin(), bottom.rend());
-  setShape(std::move(vertices), std::move(faces), true);
+  Face bottom = addRing(vertices, radius_bottom, -0.5 * height, sides);
+  Face top = addRing(vertices, radius_top, 0.5 * height, sides);
+  std::vector<Face> faces = frustumFaces(bottom, top);
+  std::vector<DetailLevel> coarser;
+  for (int fewer = halfOf(sides, 1); fewer > 0; fewer = halfOf(fewer, 1)) {
+    bottom = everyOther(bottom);
+    top = everyOther(top);
+    coarser.push_back({frustumFaces(bottom, top), std::max(radius_bottom, radius_top) * sagitta(fewer)});
+  }
+  setShape(std::move(vertices), std::move(faces), true, std::move(coarser));
   setCreaseAngle(frustumCrease(radius_bottom, radius_top, height, sides));
 }
 
@@ -127,19 +171,23 @@ void Ellipsoid::setSize(const Coord3& semi_axes, int sides) {
   if (sides % 2 != 0)
     throw std::invalid_argument("Ellipsoid: " + std::to_string(sides) + " sides; the number must be even");
   std::vector<Coord3> vertices;
-  std::vector<Face> faces;
   const int bands = sides / 2;
-  Face low = addRing(vertices, 0.0, -1.0, sides);
+  std::vector<Face> rings{addRing(vertices, 0.0, -1.0, sides)};
   for (int band = 1; band <= bands; ++band) {
     const double latitude = kHalfTurn * band / bands - kHalfTurn / 2.0;
     const bool pole = band == bands;
-    const Face high =
-        addRing(vertices, pole ? 0.0 : std::cos(latitude), pole ? 1.0 : std::sin(latitude), sides);
-    addBand(faces, low, high);
-    low = high;
+    rings.push_back(
+        addRing(vertices, pole ? 0.0 : std::cos(latitude), pole ? 1.0 : std::sin(latitude), sides));
   }
   for (Coord3& v : vertices) v = {v.x * semi_axes.x, v.y * semi_axes.y, v.z * semi_axes.z};
-  setShape(std::move(vertices), std::move(faces), true);
+  std::vector<Face> faces = facesBetween(rings);
+  std::vector<DetailLevel> coarser;
+  for (int fewer = halfOf(sides, 2); fewer > 0; fewer = halfOf(fewer, 2)) {
+    rings = everyOther(rings);
+    for (Face& ring : rings) ring = everyOther(ring);
+    coarser.push_back({facesBetween(rings), ellipsoidError(semi_axes, fewer)});
+  }
+  setShape(std::move(vertices), std::move(faces), true, std::move(coarser));
   setCreaseAngle(kHalfTurn);  // smooth all over
 }
 

@@ -5,7 +5,8 @@
 
 // The primitives of paper section III.B, and Ellipsoid beside them. Sizes in metres; a size that is zero,
 // negative or not finite is refused with std::invalid_argument naming it, and so are more than 1024 sides.
-// setSize() may be called at any time: whoever compiled the old shape is told (ObjectWatch.h).
+// setSize() may be called at any time: whoever compiled the old shape is told (ObjectWatch.h). Curved ones
+// have coarser levels of detail, each with every other meridian of the one before, 6 or more.
 
 namespace coherency {
 

@@ -62,6 +62,9 @@ std::string describe(const CompileReport& report) {
               : fmt::format("{:<16}{} x {} texels for {} surfaces\n", "lightmap", report.lightmap_width,
                             report.lightmap_height, report.charts);
   text += fmt::format("{:<16}{}\n", "lamps", report.lamps);
+  if (report.triangles_coarser > 0)
+    text += fmt::format("{:<16}{} triangles more, over the same vertices, for what is far away\n", "detail",
+                        report.triangles_coarser);
   text += fmt::format("{:<16}{} that hide what is outside of them\n", "enclosures", report.enclosures);
   text += fmt::format("{:<16}{:.2f} MiB on the GPU, {} bytes an object\n", "geometry",
                       static_cast<double>(report.bytes) / (1 << 20),

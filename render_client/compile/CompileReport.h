@@ -15,7 +15,7 @@ struct CompileReport {
   };
   struct Surfaces {
     std::size_t blocks = 0;     ///< of what moves: wholes, which move as one
-    std::size_t triangles = 0;  ///< as they are drawn
+    std::size_t triangles = 0;  ///< as they are drawn in full detail
     std::size_t vertices = 0;
   };
 
@@ -32,8 +32,9 @@ struct CompileReport {
   Surfaces lit;                      ///< fixed, light at the vertices
   Surfaces mapped;                   ///< fixed, light in the lightmap; `triangles_before` of these
   Surfaces moving;
-  std::size_t charts = 0;  ///< flat surfaces with a rectangle in the lightmap
-  int lightmap_width = 0;  ///< texels; 0: there is none
+  std::size_t triangles_coarser = 0;  ///< of all coarser levels, over the same vertices
+  std::size_t charts = 0;             ///< flat surfaces with a rectangle in the lightmap
+  int lightmap_width = 0;             ///< texels; 0: there is none
   int lightmap_height = 0;
   std::size_t bytes = 0;  ///< vertices, indices and lightmap, on the GPU
   std::size_t enclosures = 0;

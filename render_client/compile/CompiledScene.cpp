@@ -156,28 +156,39 @@ bool CompiledScene::addMoving(const VRObject& object, std::uint32_t node) {
   }
   const Coord3 half_extent = halfExtent(mesh.vertices);
   refine(mesh, lightingEdge(object, half_extent));
-  moving_.drawables.push_back({{count(moving_.indices), count(mesh.indices), count(moving_.vertices)},
-                               object.faces(),
-                               node,
-                               mesh.origin,
-                               half_extent,
-                               radius(mesh.vertices),
-                               count(roots_)});
+  const auto append = [&](const std::vector<std::uint32_t>& indices) {
+    const std::uint32_t first = count(moving_.indices);
+    moving_.indices.insert(moving_.indices.end(), indices.begin(), indices.end());
+    return first;
+  };
+  Drawable drawable{{append(mesh.indices), count(mesh.indices), count(moving_.vertices)},
+                    object.faces(),
+                    node,
+                    mesh.origin,
+                    half_extent,
+                    radius(mesh.vertices),
+                    count(roots_),
+                    {}};
+  for (const MeshLevel& level : mesh.coarser)
+    drawable.coarser.push_back({append(level.indices), count(level.indices), level.error});
+  moving_.drawables.push_back(std::move(drawable));
   moving_.vertices.insert(moving_.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-  moving_.indices.insert(moving_.indices.end(), mesh.indices.begin(), mesh.indices.end());
   return true;
 }
 
 void CompiledScene::report(const FixedMesh& mesh, const std::vector<std::uint32_t>& uncut) {
-  const auto surfaces = [&](const auto& of, std::size_t blocks) {
+  const auto surfaces = [&](const auto& of, const auto& drawn, std::size_t blocks) {
     report_.bytes += of.vertices.size() * sizeof(of.vertices[0]) + of.indices.size() * sizeof(std::uint32_t);
-    return CompileReport::Surfaces{blocks, of.indices.size() / 3, of.vertices.size()};
+    std::size_t indices = 0;
+    for (const auto& one : drawn) indices += one.range.index_count;
+    report_.triangles_coarser += (of.indices.size() - indices) / 3;
+    return CompileReport::Surfaces{blocks, indices / 3, of.vertices.size()};
   };
   report_.triangles_before = uncut.size() / 3;
   report_.triangles_cut = mesh.indices.size() / 3;
-  report_.lit = surfaces(fixed_->lit, fixed_->lit.blocks.size());
-  report_.mapped = surfaces(fixed_->mapped, fixed_->mapped.blocks.size());
-  report_.moving = surfaces(moving_, roots_.size());
+  report_.lit = surfaces(fixed_->lit, fixed_->lit.blocks, fixed_->lit.blocks.size());
+  report_.mapped = surfaces(fixed_->mapped, fixed_->mapped.blocks, fixed_->mapped.blocks.size());
+  report_.moving = surfaces(moving_, moving_.drawables, roots_.size());
   report_.charts = fixed_->lightmap.chartCount();
   report_.lightmap_width = fixed_->lightmap.width();
   report_.lightmap_height = fixed_->lightmap.height();
@@ -196,6 +207,12 @@ void CompiledScene::update() {
 Sphere CompiledScene::worldSphere(const Drawable& drawable) const {
   const TransformMatrix& t_world_object = worldTransform(drawable);
   return {t_world_object.point(drawable.origin), t_world_object.maxScale() * drawable.radius};
+}
+
+IndexRange CompiledScene::coarsestWithin(double error, const Drawable& drawable) const {
+  if (drawable.coarser.empty()) return drawable.range;
+  return coherency::coarsestWithin(error / worldTransform(drawable).maxScale(), drawable.range,
+                                   drawable.coarser);
 }
 
 float CompiledScene::inSight(std::size_t lamp, const Coord3& place) const {

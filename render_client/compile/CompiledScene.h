@@ -64,6 +64,8 @@ class CompiledScene {
   const TransformMatrix& worldTransform(const Drawable& drawable) const { return t_world_[drawable.node]; }
   /// About all of it, whatever its transform does to it (block clipping, paper, section III.C.2).
   Sphere worldSphere(const Drawable& drawable) const;
+  /// The coarsest form that lies no farther from the finest than `error` m in the world.
+  IndexRange coarsestWithin(double error, const Drawable& drawable) const;
 
   const std::vector<MovingRoot>& movingRoots() const { return roots_; }
   /// Where one of them is, as of the last update(): a function of its transform alone, whatever its joints.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <span>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,6 +15,7 @@ namespace coherency {
 namespace {
 
 using Triangles = std::vector<std::uint32_t>;
+using Levels = std::vector<std::vector<MeshLevel>>;  // by object
 
 std::uint32_t count(const auto& list) {
   return static_cast<std::uint32_t>(list.size());
@@ -31,8 +33,8 @@ glm::dvec3 inWorld(const FixedMesh& mesh, std::uint32_t vertex) {
 template <class Vertex>
 class BlockBuilder {
  public:
-  BlockBuilder(const FixedMesh& mesh, const Triangles& triangles)
-      : mesh_(mesh), triangles_(triangles), place_(mesh.vertices.size(), kNowhere) {}
+  BlockBuilder(const FixedMesh& mesh, const Triangles& triangles, const Levels& levels)
+      : mesh_(mesh), triangles_(triangles), levels_(levels), place_(mesh.vertices.size(), kNowhere) {}
 
   /// shaded(v): whether something could be in shadow at a vertex; write(v, to): all but its position and
   /// material.
@@ -88,9 +90,11 @@ class BlockBuilder {
                 Coord3(0.5 * (low + high)),
                 {},
                 0.0,
-                shaded};
+                shaded,
+                {}};
     for (const std::uint32_t item : members) addPart(items_[item], block, write);
     block.range.index_count = count(surfaces_.indices) - block.range.first_index;
+    addLevels(members, block);
     measure(block);
     surfaces_.blocks.push_back(block);
   }
@@ -100,17 +104,20 @@ class BlockBuilder {
     const FixedObject& object = mesh_.objectOf(triangles_[item.first]);
     const std::uint32_t first_index = count(surfaces_.indices);
     const std::uint32_t first_vertex = count(surfaces_.vertices);
-    for (std::size_t i = item.first; i < item.end; ++i) {
-      const std::uint32_t v = triangles_[i];
-      if (place_[v] == kNowhere) {
-        place_[v] = count(surfaces_.vertices) - block.range.first_vertex;
-        const glm::vec3 at(inWorld(mesh_, v) - block.origin.glm());
-        Vertex vertex{{at.x, at.y, at.z}, {}, materialOf(object.object->faces()->material)};
-        write(v, vertex);
-        surfaces_.vertices.push_back(vertex);
-      }
+    const auto addVertex = [&](std::uint32_t v) {
+      if (place_[v] != kNowhere) return;
+      place_[v] = count(surfaces_.vertices) - block.range.first_vertex;
+      const glm::vec3 at(inWorld(mesh_, v) - block.origin.glm());
+      Vertex vertex{{at.x, at.y, at.z}, {}, materialOf(object.object->faces()->material)};
+      write(v, vertex);
+      surfaces_.vertices.push_back(vertex);
+    };
+    for (const std::uint32_t v : trianglesOf(item)) {
+      addVertex(v);
       surfaces_.indices.push_back(place_[v]);
     }
+    for (const MeshLevel& level : levelsOf(item))
+      for (const std::uint32_t v : level.indices) addVertex(v);
     surfaces_.parts.push_back({object.object,
                                count(surfaces_.blocks),
                                count(surfaces_.vertices) - first_vertex,
@@ -123,6 +130,48 @@ class BlockBuilder {
     std::iota(places.begin(), places.end(), 0U);
     const auto object = [this](std::uint32_t place) { return surfaces_.parts[place].object; };
     std::ranges::sort(places, std::less<>(), object);
+  }
+
+  std::span<const std::uint32_t> trianglesOf(const Item& item) const {
+    return std::span(triangles_).subspan(item.first, item.end - item.first);
+  }
+  const std::vector<MeshLevel>& levelsOf(const Item& item) const {
+    return levels_[mesh_.vertices[triangles_[item.first]].object];
+  }
+
+  void addLevelPart(const Item& item, std::span<const std::uint32_t> triangles) {
+    surfaces_.parts.push_back({mesh_.objectOf(triangles_[item.first]).object,
+                               count(surfaces_.blocks),
+                               0,
+                               {count(surfaces_.indices), count(triangles), 0}});
+    for (const std::uint32_t v : triangles) surfaces_.indices.push_back(place_[v]);
+  }
+
+  void removeFrom(std::uint32_t first_index) {
+    surfaces_.indices.resize(first_index);
+    while (surfaces_.parts.back().range.first_index >= first_index) surfaces_.parts.pop_back();
+  }
+
+  void addLevels(const std::vector<std::uint32_t>& members, Block& block) {
+    std::uint32_t finer = block.range.index_count;
+    for (const double allowed : FixedBlocks::kLevelErrors) {
+      LevelRange level{count(surfaces_.indices), 0, 0.0};
+      for (const std::uint32_t item : members) {
+        std::span<const std::uint32_t> coarsest = trianglesOf(items_[item]);
+        for (const MeshLevel& own : levelsOf(items_[item])) {
+          if (own.error > allowed) break;
+          coarsest = own.indices;
+          level.error = std::max(level.error, own.error);
+        }
+        addLevelPart(items_[item], coarsest);
+      }
+      level.index_count = count(surfaces_.indices) - level.first_index;
+      if (level.index_count < finer)
+        block.coarser.push_back(level);
+      else
+        removeFrom(level.first_index);
+      finer = level.index_count;
+    }
   }
 
   /// By the vertices as they are drawn.
@@ -141,6 +190,7 @@ class BlockBuilder {
 
   const FixedMesh& mesh_;
   const Triangles& triangles_;
+  const Levels& levels_;
   Triangles place_;  ///< by vertex of the mesh: in its block
   std::vector<Item> items_;
   std::vector<GroupItem> boxes_;
@@ -163,6 +213,32 @@ void repaintIn(BlockSurfaces<Vertex>& surfaces, const VRObject& object) {
   }
 }
 
+std::vector<std::size_t> countByObject(const FixedMesh& mesh, const Triangles& indices) {
+  std::vector<std::size_t> counts(mesh.objects.size(), 0);
+  for (const std::uint32_t v : indices) ++counts[mesh.vertices[v].object];
+  return counts;
+}
+
+/// What of the objects' coarser levels has its light at its vertices. None of an object that was cut for its
+/// light: over the vertices that were there before, a coarser one would show less of it. Nor any with a
+/// triangle that has corners of both kinds.
+Levels levelsWithLight(const FixedMesh& mesh, const Triangles& cut, const Triangles& uncut,
+                       const auto& has_light) {
+  const std::vector<std::size_t> before = countByObject(mesh, uncut);
+  const std::vector<std::size_t> after = countByObject(mesh, cut);
+  const auto mixed = [&](const Triangles& level) {
+    for (std::size_t i = 0; i < level.size(); ++i)
+      if (has_light(level[i]) != has_light(level[i - i % 3])) return true;
+    return false;
+  };
+  Levels all(mesh.objects.size());
+  for (std::size_t object = 0; object < all.size(); ++object)
+    for (const MeshLevel& level : mesh.objects[object].coarser)
+      if (after[object] == before[object] && !mixed(level.indices))
+        all[object].push_back({trianglesWhere(level.indices, has_light), level.error});
+  return all;
+}
+
 }  // namespace
 
 template <class Vertex>
@@ -182,13 +258,16 @@ PackedMaterial materialOf(const Material& material) {
 FixedBlocks::FixedBlocks(const FixedMesh& mesh, const Triangles& uncut,
                          const std::vector<SurfaceLight>& light, double finest)
     : lightmap(mesh, uncut, light, finest), object_count(mesh.objects.size()) {
-  const Triangles with_light =
-      trianglesWhere(mesh.indices, [&](std::uint32_t v) { return !lightmap.has(v); });
-  lit = BlockBuilder<LitVertex>(mesh, with_light)
+  const auto has_light = [&](std::uint32_t v) { return !lightmap.has(v); };  // at its vertices
+  const auto is_mapped = [&](std::uint32_t v) { return lightmap.has(v); };
+  const Triangles with_light = trianglesWhere(mesh.indices, has_light);
+  const Levels levels = levelsWithLight(mesh, with_light, trianglesWhere(uncut, has_light), has_light);
+  lit = BlockBuilder<LitVertex>(mesh, with_light, levels)
             .build([&](std::uint32_t v) { return light[v].shade > kWorthShading; },
                    [&](std::uint32_t v, LitVertex& vertex) { vertex.light = packed(light[v]); });
-  const Triangles flat = trianglesWhere(uncut, [&](std::uint32_t v) { return lightmap.has(v); });
-  mapped = BlockBuilder<MappedVertex>(mesh, flat)
+  // Where a cap is mapped and its side is not, the cap keeps its corners.
+  const Triangles flat = trianglesWhere(uncut, is_mapped);
+  mapped = BlockBuilder<MappedVertex>(mesh, flat, Levels(mesh.objects.size()))
                .build([&](std::uint32_t v) { return lightmap.isShaded(v); },
                       [&](std::uint32_t v, MappedVertex& vertex) {
                         const glm::vec2 place = lightmap.place(mesh, v);

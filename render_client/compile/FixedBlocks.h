@@ -8,28 +8,24 @@
 #include "common/scene/FaceSet.h"
 #include "common/scene/VRObject.h"
 #include "render_client/compile/FixedMesh.h"
+#include "render_client/compile/IndexRange.h"
 #include "render_client/compile/Lightmap.h"
 
 namespace coherency {
-
-/// Where triangles lie in a pair of buffers.
-struct IndexRange {
-  std::uint32_t first_index = 0;
-  std::uint32_t index_count = 0;
-  std::uint32_t first_vertex = 0;  ///< indices count from it
-};
 
 /// What never moves is drawn block by block: objects that lie together, with a local origin, so that vertices
 /// are exact in float wherever in the world they are.
 struct Block {
   IndexRange range;
-  Coord3 origin;       ///< of its vertices, in the world: the middle of the box about them
-  Coord3 half_extent;  ///< of that box, world's axes, m
-  double radius;       ///< of the sphere about them, m
-  bool shaded;         ///< what moves could keep light away from some of it
+  Coord3 origin;                    ///< of its vertices, in the world: the middle of the box about them
+  Coord3 half_extent;               ///< of that box, world's axes, m
+  double radius;                    ///< of the sphere about them, m
+  bool shaded;                      ///< what moves could keep light away from some of it
+  std::vector<LevelRange> coarser;  ///< of the whole block
 };
 
-/// An object's own triangles within a block.
+/// An object's own triangles within a block, or within one of its coarser levels: then it has no vertices of
+/// its own.
 struct BlockPart {
   const VRObject* object;
   std::uint32_t block;
@@ -75,6 +71,8 @@ struct BlockSurfaces {
 struct FixedBlocks {
   static constexpr std::size_t kBlockTriangles = 256;
   static constexpr double kBlockSize = 4.0;  ///< m
+  /// A block's coarser levels have of each object the coarsest that lies no farther off than this, m.
+  static constexpr double kLevelErrors[] = {0.002, 0.008, 0.032};
 
   BlockSurfaces<LitVertex> lit;
   BlockSurfaces<MappedVertex> mapped;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -32,6 +33,15 @@ bool isRod(const Mesh& mesh, const glm::dmat3& linear) {
   return thin >= 2;
 }
 
+/// With its vertices from `first` on, and turned the other way round where it was mirrored.
+void append(const std::vector<std::uint32_t>& triangles, std::uint32_t first, Turn turn,
+            std::vector<std::uint32_t>& to) {
+  const bool mirrored = turn == Turn::Mirrored;
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
+    for (const std::size_t c : {0U, mirrored ? 2U : 1U, mirrored ? 1U : 2U})
+      to.push_back(first + triangles[i + c]);
+}
+
 }  // namespace
 
 Mesh meshOf(const VRObject& object) {
@@ -59,13 +69,17 @@ Shows FixedMesh::add(const VRObject& object, const TransformMatrix& t_world_obje
     vertices.push_back({glm::vec3(position), glm::vec3(glm::normalize(normal)), number});
     size = std::max(size, 2.0 * glm::length(position));
   }
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const bool mirrored = turn == Turn::Mirrored;
-    for (const std::size_t c : {0U, mirrored ? 2U : 1U, mirrored ? 1U : 2U})
-      indices.push_back(first + mesh.indices[i + c]);
+  append(mesh.indices, first, turn, indices);
+  objects.push_back({&object,
+                     t_world_object.point(mesh.origin),
+                     longestEdge(*object.faces(), size),
+                     isRod(mesh, linear),
+                     {}});
+  for (const MeshLevel& level : mesh.coarser) {
+    MeshLevel placed{{}, level.error * t_world_object.maxScale()};
+    append(level.indices, first, turn, placed.indices);
+    objects.back().coarser.push_back(std::move(placed));
   }
-  objects.push_back(
-      {&object, t_world_object.point(mesh.origin), longestEdge(*object.faces(), size), isRod(mesh, linear)});
   return Shows::Faces;
 }
 

@@ -8,10 +8,9 @@
 #include "common/math/TransformMatrix.h"
 #include "common/scene/FaceSet.h"
 #include "common/scene/VRObject.h"
+#include "render_client/compile/MeshBuilder.h"
 
 namespace coherency {
-
-struct Mesh;
 
 /// Things that shine by themselves, by half or more (Material::emission), keep no light away: a lamp may
 /// stand inside its own fitting.
@@ -35,6 +34,7 @@ struct FixedObject {
   double longest_edge;  ///< m; its edges are cut to it, so that light can be computed at the vertices;
                         ///< infinite: never
   bool rod;
+  std::vector<MeshLevel> coarser;  ///< over the mesh's vertices; errors in the world
 };
 
 struct FixedVertex {

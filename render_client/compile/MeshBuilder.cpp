@@ -11,12 +11,27 @@ namespace {
 
 using Face = std::vector<std::uint32_t>;
 
-void checkIndices(const FaceSet& faces) {
-  for (std::size_t f = 0; f < faces.faces.size(); ++f)
-    for (const std::uint32_t v : faces.faces[f])
-      if (v >= faces.vertices.size())
-        throw std::invalid_argument("face " + std::to_string(f) + " names vertex " + std::to_string(v) +
-                                    " of a shape that has " + std::to_string(faces.vertices.size()));
+void checkIndices(const std::vector<Face>& faces, std::size_t vertex_count, const std::string& where) {
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (const std::uint32_t v : faces[f])
+      if (v >= vertex_count)
+        throw std::invalid_argument(where + "face " + std::to_string(f) + " names vertex " +
+                                    std::to_string(v) + " of a shape that has " +
+                                    std::to_string(vertex_count));
+}
+
+void check(const FaceSet& faces) {
+  checkIndices(faces.faces, faces.vertices.size(), "");
+  double last = 0.0;
+  for (std::size_t i = 0; i < faces.coarser.size(); ++i) {
+    const std::string level = "coarser level " + std::to_string(i);
+    checkIndices(faces.coarser[i].faces, faces.vertices.size(), level + ": ");
+    const double error = faces.coarser[i].error;
+    if (!(error > last) || !std::isfinite(error))
+      throw std::invalid_argument(level + " has an error of " + std::to_string(error) +
+                                  " m; it must be finite and above the last finer one's");
+    last = error;
+  }
 }
 
 Coord3 middle(const std::vector<Coord3>& vertices) {
@@ -53,7 +68,7 @@ double cornerAngle(const FaceSet& faces, const Face& face, std::size_t corner) {
 class Builder {
  public:
   explicit Builder(const FaceSet& faces) : faces_(faces), corners_at_(faces.vertices.size()) {
-    checkIndices(faces);
+    check(faces);
     mesh_.origin = middle(faces.vertices);
     for (const Face& face : faces.faces) normals_.push_back(faceNormal(faces, face));
     if (faces.smooth) collectCorners();
@@ -63,6 +78,7 @@ class Builder {
   Mesh build() {
     for (std::size_t f = 0; f < faces_.faces.size(); ++f)
       if (normals_[f] != Coord3{}) addFace(f);
+    for (const DetailLevel& level : faces_.coarser) addLevel(level);
     return std::move(mesh_);
   }
 
@@ -79,12 +95,26 @@ class Builder {
   }
 
   void addFace(std::size_t f) {
-    const Face& face = faces_.faces[f];
-    const std::uint32_t first = addVertex(f, face[0]);
-    std::uint32_t last = addVertex(f, face[1]);
+    const auto vertex = [&](std::uint32_t v) { return addVertex(v, normalAt(f, v)); };
+    addFan(faces_.faces[f], vertex, mesh_.indices);
+  }
+
+  void addLevel(const DetailLevel& level) {
+    MeshLevel made{{}, level.error};
+    for (const Face& face : level.faces) {
+      const Coord3 normal = faceNormal(faces_, face);
+      const auto vertex = [&](std::uint32_t v) { return nearestVertex(v, normal); };
+      if (normal != Coord3{}) addFan(face, vertex, made.indices);
+    }
+    mesh_.coarser.push_back(std::move(made));
+  }
+
+  static void addFan(const Face& face, const auto& vertex, std::vector<std::uint32_t>& indices) {
+    const std::uint32_t first = vertex(face[0]);
+    std::uint32_t last = vertex(face[1]);
     for (std::size_t i = 2; i < face.size(); ++i) {
-      const std::uint32_t next = addVertex(f, face[i]);
-      mesh_.indices.insert(mesh_.indices.end(), {first, last, next});
+      const std::uint32_t next = vertex(face[i]);
+      indices.insert(indices.end(), {first, last, next});
       last = next;
     }
   }
@@ -99,9 +129,19 @@ class Builder {
     return length > 0.0 ? sum / length : normals_[f];
   }
 
-  /// The vertex with this face's normal, shared with a neighbour that has the same.
-  std::uint32_t addVertex(std::size_t f, std::uint32_t vertex) {
-    const Coord3 n = normalAt(f, vertex);
+  std::uint32_t nearestVertex(std::uint32_t vertex, const Coord3& normal) {
+    const auto along = [&](std::uint32_t made) {
+      const float(&n)[3] = mesh_.vertices[made].normal;
+      return dot(Coord3{n[0], n[1], n[2]}, normal);
+    };
+    const std::vector<std::uint32_t>& all = emitted_at_[vertex];
+    if (all.empty()) return addVertex(vertex, normal);
+    return *std::max_element(all.begin(), all.end(),
+                             [&](std::uint32_t a, std::uint32_t b) { return along(a) < along(b); });
+  }
+
+  /// The vertex with this normal, shared with a neighbour that has the same.
+  std::uint32_t addVertex(std::uint32_t vertex, const Coord3& n) {
     const Coord3 p = faces_.vertices[vertex] - mesh_.origin;
     const MeshVertex made{{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
                           {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}};

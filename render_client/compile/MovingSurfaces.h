@@ -11,12 +11,13 @@ namespace coherency {
 /// An object that moves and shows faces: where its triangles are, and whose they are.
 struct Drawable {
   IndexRange range;
-  const FaceSet* faces;  ///< its material may change at any time, its shape may not
-  std::uint32_t node;    ///< for CompiledScene::worldTransform()
-  Coord3 origin;         ///< of its vertices, in the node's frame: about the middle of its box
-  Coord3 half_extent;    ///< of a box about them, in the node's axes
-  double radius;         ///< of a sphere about `origin` that holds them, in the node's frame
-  std::uint32_t root;    ///< its place in CompiledScene::movingRoots()
+  const FaceSet* faces;             ///< its material may change at any time, its shape may not
+  std::uint32_t node;               ///< for CompiledScene::worldTransform()
+  Coord3 origin;                    ///< of its vertices, in the node's frame: about the middle of its box
+  Coord3 half_extent;               ///< of a box about them, in the node's axes
+  double radius;                    ///< of a sphere about `origin` that holds them, in the node's frame
+  std::uint32_t root;               ///< its place in CompiledScene::movingRoots()
+  std::vector<LevelRange> coarser;  ///< errors in the node's frame
 };
 
 /// What moves as a whole: an object that is declared Moving, or was found to move, and all below it that

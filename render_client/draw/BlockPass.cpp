@@ -5,10 +5,14 @@
 namespace coherency {
 namespace {
 
+Sphere sphereOf(const Block& block) {
+  return {block.origin, block.radius};
+}
+
 std::vector<Sphere> spheresOf(const std::vector<Block>& blocks) {
   std::vector<Sphere> spheres;
   spheres.reserve(blocks.size());
-  for (const Block& block : blocks) spheres.push_back({block.origin, block.radius});
+  for (const Block& block : blocks) spheres.push_back(sphereOf(block));
   return spheres;
 }
 
@@ -32,13 +36,18 @@ BlockPass::BlockPass(const std::vector<Block>& blocks, LightSource light, const 
   for (const Block& block : blocks) boxes_.push_back(worldBox(block));
 }
 
+IndexRange BlockPass::rangeOf(const Block& block) const {
+  return coarsestWithin(detail_.allowedError(sphereOf(block)), block.range, block.coarser);
+}
+
 void BlockPass::begin(const Coord3& origin, const ViewPyramids& views, const Enclosures& enclosures,
-                      const OverheadShadow* shadow) {
+                      const DetailChoice& detail, const OverheadShadow* shadow) {
+  detail_ = detail;
   seen_.clear();
   spheres_.findSeen(views, seen_);
   order_.clear();
   for (const std::uint32_t i : seen_)
-    if (!enclosures.hide(blocks_[i].origin, blocks_[i].half_extent))
+    if (!detail.tooSmall(sphereOf(blocks_[i])) && !enclosures.hide(blocks_[i].origin, blocks_[i].half_extent))
       order_.add(i, farthest(boxes_[i], origin));
   order_.sort();
   plain_.begin();
@@ -49,7 +58,7 @@ void BlockPass::begin(const Coord3& origin, const ViewPyramids& views, const Enc
     const Block& block = blocks_[shown.number];
     const bool in_shadow = shadow != nullptr && block.shaded && shadow->reaches(boxes_[shown.number]);
     offset[place] = glm::vec4(glm::dvec4((block.origin - origin).glm(), 0.0));
-    (in_shadow ? shaded_ : plain_).add(block.range, place++);
+    (in_shadow ? shaded_ : plain_).add(rangeOf(block), place++);
   }
 }
 

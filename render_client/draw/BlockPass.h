@@ -5,6 +5,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "render_client/cull/DetailChoice.h"
 #include "render_client/cull/Enclosures.h"
 #include "render_client/cull/SphereTree.h"
 #include "render_client/draw/DrawCommands.h"
@@ -22,21 +23,26 @@ class BlockPass {
   /// `blocks` must outlive this.
   BlockPass(const std::vector<Block>& blocks, LightSource light, const ShadowMapSize& shadows);
 
-  /// Chooses what is drawn in this frame, by all its views: what one of them may see. `origin`: of the
-  /// coordinates in which it is drawn, in the world, near the eyes. `shadow` may be null.
+  /// Chooses what is drawn in this frame, by all its views: what one of them may see, and how coarse it may
+  /// be. `origin`: of the coordinates in which it is drawn, in the world, near the eyes. `shadow` may be
+  /// null.
   void begin(const Coord3& origin, const ViewPyramids& views, const Enclosures& enclosures,
-             const OverheadShadow* shadow);
+             const DetailChoice& detail, const OverheadShadow* shadow);
   /// Draws a view of the frame, whose uniforms and blocks' buffers are bound, into the bound framebuffer;
   /// with another program `instead` of its own, if given.
   void draw(const Program* instead = nullptr) const;
 
-  /// Which of the blocks the frame's draw command of that number draws.
-  std::size_t drawn(std::size_t number) const { return order_.shown()[number].number; }
+  /// What the frame's draw command of that number draws.
+  IndexRange drawn(std::size_t number) const { return rangeOf(blocks_[order_.shown()[number].number]); }
   std::size_t shadedCount() const { return shaded_.size(); }  ///< blocks, in this frame
   std::size_t plainCount() const { return plain_.size(); }
+  std::size_t triangleCount() const { return plain_.triangleCount() + shaded_.triangleCount(); }
 
  private:
+  IndexRange rangeOf(const Block& block) const;
+
   const std::vector<Block>& blocks_;
+  DetailChoice detail_;  ///< this frame's
   Program plain_program_;
   std::optional<Program> shaded_program_;
   DrawCommands plain_;

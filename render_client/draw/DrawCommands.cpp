@@ -10,7 +10,7 @@ DrawCommands::DrawCommands(std::size_t capacity)
 
 void DrawCommands::begin() {
   commands_ = buffer_.next<Command>();
-  upright_ = mirrored_ = 0;
+  upright_ = mirrored_ = triangles_ = 0;
 }
 
 void DrawCommands::add(const IndexRange& range, std::size_t number, bool mirrored) {
@@ -18,6 +18,7 @@ void DrawCommands::add(const IndexRange& range, std::size_t number, bool mirrore
   const std::size_t at = mirrored ? capacity_ - ++mirrored_ : upright_++;
   commands_[at] = {range.index_count, 1, range.first_index, static_cast<GLint>(range.first_vertex),
                    static_cast<GLuint>(number)};
+  triangles_ += range.index_count / 3;
 }
 
 void DrawCommands::draw() const {

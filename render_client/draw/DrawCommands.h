@@ -15,6 +15,7 @@ class DrawCommands {
   /// `number` reaches the vertex shader. No more than `capacity`.
   void add(const IndexRange& range, std::size_t number, bool mirrored = false);
   std::size_t size() const { return upright_ + mirrored_; }
+  std::size_t triangleCount() const { return triangles_; }
   /// With the scene's buffers bound; culling as the caller has set it. Leaves GL_CCW as the front face.
   void draw() const;
 
@@ -32,6 +33,7 @@ class DrawCommands {
   Command* commands_ = nullptr;  ///< upright ones from the front, mirrored ones from the back
   std::size_t upright_ = 0;
   std::size_t mirrored_ = 0;
+  std::size_t triangles_ = 0;
 };
 
 }  // namespace coherency

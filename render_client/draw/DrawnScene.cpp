@@ -34,13 +34,14 @@ void DrawnScene::prepare(std::span<const EyeView> views) {
   clipTo(views);
   if (views.empty()) return;
   const Coord3 origin = views.front().t_world_eye.origin();
-  if (shadow_) shadow_->update(compiled_, views.front(), pyramids_);
+  const DetailChoice detail = detailFor(views.front());
+  if (shadow_) shadow_->update(compiled_, views.front(), pyramids_, detail);
   const OverheadShadow* const map = shadow_ ? &*shadow_ : nullptr;
   lamps_.update();
   uniforms_.write(views, origin, ambient_, map);
-  if (moving_) moving_->begin(compiled_, lamps_, origin, pyramids_, enclosures_);
-  if (lit_) lit_->begin(origin, pyramids_, enclosures_, map);
-  if (mapped_) mapped_->begin(origin, pyramids_, enclosures_, map);
+  if (moving_) moving_->begin(compiled_, lamps_, origin, pyramids_, enclosures_, detail);
+  if (lit_) lit_->begin(origin, pyramids_, enclosures_, detail, map);
+  if (mapped_) mapped_->begin(origin, pyramids_, enclosures_, detail, map);
 }
 
 void DrawnScene::clipTo(std::span<const EyeView> views) {
@@ -53,6 +54,11 @@ void DrawnScene::clipTo(std::span<const EyeView> views) {
                                   (view.view.tan_down + view.view.tan_up) / view.height);
     enclosures_.addView(view.t_world_eye, view.view, view.near_m, pixel);
   }
+}
+
+DetailChoice DrawnScene::detailFor(const EyeView& view) const {
+  if (!view.cyclopean) return {};
+  return {*view.cyclopean, settings_.detail_px, settings_.smallest_px};
 }
 
 void DrawnScene::drawShadows() {
@@ -93,11 +99,15 @@ IdImage DrawnScene::drawIds(std::span<const EyeView> views, int width, int heigh
 
 FrameCounts DrawnScene::counts() const {
   FrameCounts counts;
-  if (moving_) counts.moving = moving_->count();
+  if (moving_) {
+    counts.moving = moving_->count();
+    counts.triangles = moving_->triangleCount();
+  }
   for (const std::optional<BlockPass>* pass : {&lit_, &mapped_}) {
     if (!*pass) continue;
     counts.fixed_shaded += (*pass)->shadedCount();
     counts.fixed_plain += (*pass)->plainCount();
+    counts.triangles += (*pass)->triangleCount();
   }
   return counts;
 }

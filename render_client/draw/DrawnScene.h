@@ -45,6 +45,7 @@ class DrawnScene {
  private:
   ShadowMapSize shadowMap() const;
   void clipTo(std::span<const EyeView> views);
+  DetailChoice detailFor(const EyeView& view) const;
   void drawView(const IdPicture* instead) const;
 
   RendererSettings settings_;

@@ -4,6 +4,7 @@
 
 #include "common/math/Frustum.h"
 #include "common/math/TransformMatrix.h"
+#include "render_client/cull/DetailChoice.h"
 
 namespace coherency {
 
@@ -27,6 +28,8 @@ struct EyeView {
   double text_y = 0.0;
   double text_width = 0.0;          ///< lines are broken there, pixels; 0: at the view's right border
   TransformMatrix t_eye_head = {};  ///< rotation only; other than none for displays that are canted
+  /// The same for both eyes, whichever of them is drawn; without it everything is drawn in full detail.
+  std::optional<CyclopeanEye> cyclopean = std::nullopt;
 };
 
 }  // namespace coherency

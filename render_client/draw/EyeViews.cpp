@@ -86,6 +86,17 @@ EyeView eyeView(const Scene& scene, Mode mode, const HmdProfile& hmd, Eye eye, i
   return result;
 }
 
+double pixelsOfTangent(const EyeView& view) {
+  return std::max(view.width / (view.view.tan_left + view.view.tan_right),
+                  view.height / (view.view.tan_down + view.view.tan_up));
+}
+
+CyclopeanEye cyclopeanEye(const EyeView& left, const EyeView& right) {
+  const Coord3 apart = right.t_world_eye.origin() - left.t_world_eye.origin();
+  return {left.t_world_eye.origin() + 0.5 * apart, 0.5 * norm(apart),
+          std::max(pixelsOfTangent(left), pixelsOfTangent(right))};
+}
+
 }  // namespace
 
 EyeChoice eyeChoice(std::string_view name) {
@@ -115,11 +126,15 @@ void eyeViews(const Scene& scene, Mode mode, const HmdProfile& hmd, EyeChoice ch
   views.clear();
   if (choice == EyeChoice::Mono) {
     views.push_back(eyeView(scene, mode, hmd, Eye::Mono, width, height));
+    views.back().cyclopean = cyclopeanEye(views.back(), views.back());
     return;
   }
-  if (choice != EyeChoice::Right) views.push_back(eyeView(scene, mode, hmd, Eye::Left, width, height));
+  EyeView left = eyeView(scene, mode, hmd, Eye::Left, width, height);
+  EyeView right = eyeView(scene, mode, hmd, Eye::Right, width, height);
+  left.cyclopean = right.cyclopean = cyclopeanEye(left, right);
+  if (choice != EyeChoice::Right) views.push_back(left);
   if (choice != EyeChoice::Left) {
-    views.push_back(eyeView(scene, mode, hmd, Eye::Right, width, height));
+    views.push_back(right);
     if (choice == EyeChoice::Both) views.back().x = width;
   }
 }

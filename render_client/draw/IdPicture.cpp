@@ -25,8 +25,7 @@ struct Drawn {
 /// Whose the triangle is. Parts lie in the buffer as they do in the list.
 template <class Vertex>
 const VRObject* objectOf(const BlockSurfaces<Vertex>& surfaces, const BlockPass& pass, const Drawn& drawn) {
-  const Block& block = surfaces.blocks[pass.drawn(drawn.number)];
-  const std::uint32_t index = block.range.first_index + 3 * drawn.triangle;
+  const std::uint32_t index = pass.drawn(drawn.number).first_index + 3 * drawn.triangle;
   const auto after =
       std::upper_bound(surfaces.parts.begin(), surfaces.parts.end(), index,
                        [](std::uint32_t i, const BlockPart& part) { return i < part.range.first_index; });

@@ -39,13 +39,14 @@ void MovingPass::writeLamps(const CompiledScene& scene, const LampSets& lamps) {
 }
 
 void MovingPass::begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& origin,
-                       const ViewPyramids& views, const Enclosures& enclosures) {
+                       const ViewPyramids& views, const Enclosures& enclosures, const DetailChoice& detail) {
   writeLamps(scene, lamps);
   order_.clear();
   const std::vector<Drawable>& drawables = scene.moving().drawables;
   for (std::size_t i = 0; i < drawables.size(); ++i) {
-    if (turnOf(scene.worldTransform(drawables[i])) == Turn::Flat ||
-        views.sees(scene.worldSphere(drawables[i])) == InView::None)
+    const Sphere sphere = scene.worldSphere(drawables[i]);
+    if (turnOf(scene.worldTransform(drawables[i])) == Turn::Flat || views.sees(sphere) == InView::None ||
+        detail.tooSmall(sphere))
       continue;
     const WorldBox box = worldBox(scene, drawables[i]);
     if (!enclosures.hide(0.5 * (box.low + box.high), 0.5 * (box.high - box.low)))
@@ -57,7 +58,9 @@ void MovingPass::begin(const CompiledScene& scene, const LampSets& lamps, const 
   for (const NearestFirst::Shown& shown : order_.shown()) {
     const Drawable& drawable = drawables[shown.number];
     object[commands_.size()] = objectOf(drawable, origin, scene);
-    commands_.add(drawable.range, commands_.size(), turnOf(scene.worldTransform(drawable)) == Turn::Mirrored);
+    const double allowed = detail.allowedError(scene.worldSphere(drawable));
+    commands_.add(scene.coarsestWithin(allowed, drawable), commands_.size(),
+                  turnOf(scene.worldTransform(drawable)) == Turn::Mirrored);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "render_client/cull/DetailChoice.h"
 #include "render_client/cull/Enclosures.h"
 #include "render_client/cull/ViewPyramid.h"
 #include "render_client/draw/DrawCommands.h"
@@ -26,11 +27,11 @@ class MovingPass {
   /// shader has no loops or branches (on a software renderer they cost ten times the arithmetic).
   MovingPass(const CompiledScene& scene, std::size_t lamp_count, const ShadowMapSize& shadows);
 
-  /// Chooses what is drawn in this frame, by all its views: what one of them may see. `lamps` as updated for
-  /// this frame.
+  /// Chooses what is drawn in this frame, by all its views: what one of them may see, and how coarse it may
+  /// be. `lamps` as updated for this frame.
   /// `origin`: of the coordinates in which it is drawn, in the world, near the eyes.
   void begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& origin,
-             const ViewPyramids& views, const Enclosures& enclosures);
+             const ViewPyramids& views, const Enclosures& enclosures, const DetailChoice& detail);
   /// Draws a view of the frame, whose uniforms are bound, into the bound framebuffer; with another program
   /// `instead` of its own, if given.
   void draw(const SceneBuffers& buffers, const Program* instead = nullptr) const;
@@ -38,6 +39,7 @@ class MovingPass {
   /// Which of the drawables the frame's draw command of that number draws.
   std::size_t drawn(std::size_t number) const { return order_.shown()[number].number; }
   std::size_t count() const { return commands_.size(); }  ///< drawables, in this frame
+  std::size_t triangleCount() const { return commands_.triangleCount(); }
 
  private:
   /// As the shader has it (std430).

@@ -89,9 +89,10 @@ WorldBox OverheadShadow::Tile::region() const {
   return {floor_middle - half, floor_middle + half};
 }
 
-void OverheadShadow::Tile::add(const CompiledScene& scene, const Drawable& drawable) {
+void OverheadShadow::Tile::add(const CompiledScene& scene, const Drawable& drawable,
+                               const IndexRange& range) {
   const TransformMatrix& t_world_object = scene.worldTransform(drawable);
-  casters.drawables.push_back(&drawable);
+  casters.drawables.push_back({&drawable, range});
   casters.map_from_mesh.emplace_back(kMapFromMiddle * fromEye(map_middle, t_world_object, drawable.origin));
 }
 
@@ -113,7 +114,7 @@ void OverheadShadow::placeTiles(const EyeView& view, const ViewPyramids& views) 
   tile_count_ = 2;
 }
 
-void OverheadShadow::chooseCasters(const CompiledScene& scene) {
+void OverheadShadow::chooseCasters(const CompiledScene& scene, const DetailChoice& detail) {
   casters_.clear();
   for (Tile& tile : tiles_) {
     tile.casters.drawables.clear();
@@ -123,20 +124,23 @@ void OverheadShadow::chooseCasters(const CompiledScene& scene) {
     if (drawable.faces->material.emission >= kShines || turnOf(scene.worldTransform(drawable)) == Turn::Flat)
       continue;
     const WorldBox box = worldBox(scene, drawable);
+    const double allowed = detail.allowedError(scene.worldSphere(drawable));
+    const IndexRange range = scene.coarsestWithin(allowed, drawable);
     bool casts = false;
     for (std::size_t t = 0; t < tile_count_; ++t) {
       const WorldBox region = tiles_[t].region();
       if (!overlapFromAbove(withShadow(box, region.low.y), region)) continue;
-      tiles_[t].add(scene, drawable);
+      tiles_[t].add(scene, drawable, range);
       casts = true;
     }
     if (casts) casters_.push_back(box);
   }
 }
 
-void OverheadShadow::update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views) {
+void OverheadShadow::update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views,
+                            const DetailChoice& detail) {
   placeTiles(view, views);
-  chooseCasters(scene);
+  chooseCasters(scene, detail);
 }
 
 void OverheadShadow::draw(const CompiledScene& scene, const SceneBuffers& buffers) {
@@ -156,9 +160,8 @@ void OverheadShadow::drawTile(std::size_t number, const CompiledScene& scene) {
   glScissor(left, 0, resolution_, resolution_);
   glClear(GL_DEPTH_BUFFER_BIT);
   tile.commands.begin();
-  for (const Drawable* drawable : tile.casters.drawables)
-    tile.commands.add(drawable->range, tile.commands.size(),
-                      turnOf(scene.worldTransform(*drawable)) == Turn::Mirrored);
+  for (const auto& [drawable, range] : tile.casters.drawables)
+    tile.commands.add(range, tile.commands.size(), turnOf(scene.worldTransform(*drawable)) == Turn::Mirrored);
   const std::vector<glm::mat4>& matrices = tile.casters.map_from_mesh;
   std::copy(matrices.begin(), matrices.end(), tile.matrices.next<glm::mat4>());
   tile.matrices.bind(GL_SHADER_STORAGE_BUFFER, 0);

@@ -6,6 +6,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "render_client/cull/DetailChoice.h"
 #include "render_client/cull/ViewPyramid.h"
 #include "render_client/draw/DrawCommands.h"
 #include "render_client/draw/EyeView.h"
@@ -32,8 +33,10 @@ class OverheadShadow {
   /// Throws what check() throws. `moving_count`: of drawables.
   OverheadShadow(const ShadowMapSize& size, std::size_t moving_count);
 
-  /// For the vehicles of a view.
-  void update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views);
+  /// For the vehicles of a view. What casts is as coarse as it is drawn: it would be in the shadow of its own
+  /// finer form.
+  void update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views,
+              const DetailChoice& detail);
   /// Draws the map, as last updated for.
   void draw(const CompiledScene& scene, const SceneBuffers& buffers);
 
@@ -49,8 +52,13 @@ class OverheadShadow {
   void bindTexture() const { glBindTextureUnit(0, depth_.name()); }
 
  private:
+  struct Caster {
+    const Drawable* drawable;
+    IndexRange range;
+    bool operator==(const Caster&) const = default;
+  };
   struct Casters {
-    std::vector<const Drawable*> drawables;
+    std::vector<Caster> drawables;
     std::vector<glm::mat4> map_from_mesh;
     bool operator==(const Casters&) const = default;
   };
@@ -58,7 +66,7 @@ class OverheadShadow {
     explicit Tile(std::size_t moving_count);
     void place(const Coord3& middle, double texel);
     WorldBox region() const;
-    void add(const CompiledScene& scene, const Drawable& drawable);
+    void add(const CompiledScene& scene, const Drawable& drawable, const IndexRange& range);
 
     Coord3 floor_middle;
     Coord3 map_middle;  ///< where what mappingFrom() gives is 0
@@ -69,7 +77,7 @@ class OverheadShadow {
   };
 
   void placeTiles(const EyeView& view, const ViewPyramids& views);
-  void chooseCasters(const CompiledScene& scene);
+  void chooseCasters(const CompiledScene& scene, const DetailChoice& detail);
   void drawTile(std::size_t number, const CompiledScene& scene);
 
   int resolution_;  ///< texels a side of a tile

@@ -66,7 +66,7 @@ class Renderer {
   void resize(int width, int height);
   int samples() const;                ///< a pixel, as the driver has them
   std::string rendererName() const;   ///< as GL_RENDERER has it
-  std::size_t triangleCount() const;  ///< as they are drawn, all of the scene's
+  std::size_t triangleCount() const;  ///< all of the scene's, as they are drawn in full detail
   std::size_t vertexCount() const;    ///< of those triangles
   FrameCounts counts() const;         ///< of the last frame
 
