@@ -116,9 +116,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--finest", settings.bake.finest, "Edges as short are not cut for that light, m")
       ->capture_default_str();
-  app.add_option("--detail-px", settings.detail_px, "How far curved things may be drawn off, pixels")
+  app.add_option("--detail-px", settings.detail_px, "How far curved things may be drawn off, pixels; 0: none")
       ->capture_default_str();
-  app.add_option("--smallest-px", settings.smallest_px, "Leave out what is smaller across, pixels")
+  app.add_option("--smallest-px", settings.smallest_px,
+                 "What is smaller across is left out, pixels; 0: nothing")
       ->capture_default_str();
   app.add_flag("--no-shadows{false}", settings.shadows, "Draw without shadows");
   app.add_flag("--explain", explain, "Print what was compiled, what was left out and why, and what it takes");

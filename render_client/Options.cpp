@@ -83,6 +83,14 @@ void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
                  fmt::format("HMD profile: one of {}, or a TOML file [generic]", hmdNames()));
   app.add_option("--samples", options.samples, "samples a pixel for antialiasing, 1 to 16 [4]")
       ->check(whole(1, 16));
+  app.add_option("--detail-px", options.detail_px,
+                 "draw curved things coarser where that moves their edges by no more pixels than this, 0 to "
+                 "100; 0: never; the same for both eyes [0.25]")
+      ->check(finite(0.0, 100.0));
+  app.add_option("--smallest-px", options.smallest_px,
+                 "leave out what is smaller across than so many pixels, 0 to 100; the same for both eyes [0: "
+                 "nothing]")
+      ->check(finite(0.0, 100.0));
   app.add_option("--fps", options.fps, "frames a second at most, 1 to 1000 [the monitor's; headless 62.5]")
       ->check(finite(1.0, 1000.0));
   app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C or Esc]")

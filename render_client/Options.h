@@ -20,6 +20,8 @@ struct ClientOptions {
   int height = 480;
   double render_scale = 1.0;  ///< of each side of the pictures drawn (PictureSize.h)
   int samples = 4;
+  double detail_px = 0.25;   ///< RendererSettings
+  double smallest_px = 0.0;  ///< likewise
   HmdProfile hmd;
   double fps = 0.0;                   ///< 0: the monitor's, headless 62.5
   double duration_s = 0.0;            ///< 0: until a signal or Esc

@@ -118,8 +118,10 @@ void RenderClient::buildWorld(const SessionConfig& session) {
   replica_.emplace(session);
   views_.clear();
   fitPictures();
-  renderer_.emplace(replica_->scene(), picture_.width * eyeCount(eyes_), picture_.height,
-                    RendererSettings{.samples = options_.samples});
+  renderer_.emplace(
+      replica_->scene(), picture_.width * eyeCount(eyes_), picture_.height,
+      RendererSettings{
+          .samples = options_.samples, .detail_px = options_.detail_px, .smallest_px = options_.smallest_px});
   renderer_->setDisplay(options_.hmd, eyes_, options_.render_scale);
   layGrid();
 }

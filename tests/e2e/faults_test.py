@@ -163,7 +163,8 @@ class BadInput(SessionTest):
 
     def test_numbers_that_are_none(self):
         for option, value in (("--duration", "nan"), ("--wait", "inf"), ("--fps", "nan"), ("--frames", "-1"),
-                              ("--snapshot-at", "-5"), ("--samples", "0")):
+                              ("--snapshot-at", "-5"), ("--samples", "0"),
+                              ("--detail-px", "-0.1"), ("--smallest-px", "nan")):
             self.refuse(2, [option], CLIENT, option, value)
         self.refuse(2, ["--fullscreen"], CLIENT, "--fullscreen", "--display", "headless")
 
