@@ -18,7 +18,7 @@ TEST_P(Golden, PicturesAreAsTheyWereBlessed) {
     GTEST_SKIP() << "this is " << current.text() << ", the golden pictures are of " << pinned.text()
                  << "; LIBGL_ALWAYS_SOFTWARE=1 LP_NATIVE_VECTOR_WIDTH=128 makes it so where Mesa is";
   const std::unique_ptr<Scene> scene = makeScene(GetParam());
-  Renderer renderer(*scene, kWidth, kHeight);
+  Renderer renderer(*scene, kWidth, kHeight, kSettings);
   for (const GoldenView& view : goldenViews()) {
     if (view.scene != GetParam()) continue;
     const GoldenPicture actual = draw(renderer, *scene, view);

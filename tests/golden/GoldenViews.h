@@ -16,6 +16,8 @@ namespace coherency::golden {
 /// Of one eye's picture, pixels.
 inline constexpr int kWidth = 320;
 inline constexpr int kHeight = 240;
+/// In full detail, so that no budget has a part in them: what that changes is seen in render/DetailTest.cpp.
+inline constexpr RendererSettings kSettings{.detail_px = 0.0};
 
 /// A moment of a shipped scene, seen through an eye or two.
 struct GoldenView {

@@ -42,7 +42,7 @@ void blessAll() {
   refuseOthers();
   for (const std::string& name : goldenScenes()) {
     const std::unique_ptr<Scene> scene = makeScene(name);
-    Renderer renderer(*scene, kWidth, kHeight);
+    Renderer renderer(*scene, kWidth, kHeight, kSettings);
     for (const GoldenView& view : goldenViews())
       if (view.scene == name) bless(view, draw(renderer, *scene, view));
   }

@@ -111,12 +111,12 @@ TEST_F(Detail, GrowsCoarserWithDistanceOnly) {
   }
 }
 
-/// A hundred curved things that shine in one colour and do not touch each other, ahead of the eyes; every
+/// A hundred curved things that shine in one colour, beside each other ahead of the eyes; every
 /// second moves, one in three is mirrored.
 void addThings(TestScene& scene) {
   for (int i = 0; i < 100; ++i) {
     const double away = 3.0 + 0.4 * i;
-    const Coord3 at{away * 0.07 * (i % 10 - 4.5), 1.2 + away * 0.06 * (i * 7 % 10 - 4.5), -away};
+    const Coord3 at{away * 0.08 * (i % 10 - 4.5), 1.2 + away * 0.06 * (i / 10 - 4.5), -away};
     const double radius = 0.02 * away;
     const auto place = [&](Polyhedron& thing) {
       if (i % 2 == 0) thing.attach(Moving{});
@@ -131,12 +131,10 @@ void addThings(TestScene& scene) {
   }
 }
 
-/// How many pixels differ by what; and whether any of them is none of those that an edge goes through or
-/// beside.
 struct Difference {
-  double coverage = 0.0;  ///< summed, pixels
+  double coverage = 0.0;  ///< by which pixels differ, summed, pixels
   double edge = 0.0;      ///< pixels that an edge goes through
-  bool inside = false;
+  bool inside = false;    ///< whether one differs that has no edge in it or beside it
 };
 
 Difference difference(const Image& finest, const Image& other) {
@@ -175,6 +173,32 @@ TEST_F(Detail, MovesEdgesByNoMoreThanIsAllowedAndNothingElse) {
     EXPECT_GT(found.coverage, 0.0) << "or the levels are not drawn";
     RecordProperty("moved_by_at_" + std::to_string(detail_px), std::to_string(found.coverage / found.edge));
   }
+}
+
+TEST_F(Detail, SaysOfEachPixelWhoseItIsInACoarserFormToo) {
+  TestScene scene;
+  addThings(scene);
+  const EyeView view = viewFrom({0.0, 1.2, 0.0});
+  const auto ids = [&](double detail_px) {
+    Renderer renderer(scene, scene.illumination(), kWidth, kHeight, {.samples = 1, .detail_px = detail_px});
+    return renderer.drawIds({&view, 1});
+  };
+  const IdImage fine = ids(0.0);
+  const IdImage coarse = ids(1.0);
+  ASSERT_EQ(fine.objects, coarse.objects);
+  int differing = 0;
+  for (int y = 1; y + 1 < kHeight; ++y)
+    for (int x = 1; x + 1 < kWidth; ++x) {
+      const auto id = [&](const IdImage& image, int dx, int dy) {
+        return image.ids[static_cast<std::size_t>((y + dy) * kWidth + x + dx)];
+      };
+      if (id(fine, 0, 0) == id(coarse, 0, 0)) continue;
+      bool beside = false;
+      for (int i = 0; i < 9; ++i) beside = beside || id(fine, i % 3 - 1, i / 3 - 1) == id(coarse, 0, 0);
+      EXPECT_TRUE(beside) << "another object's number at " << x << ", " << y;
+      ++differing;
+    }
+  EXPECT_GT(differing, 0);
 }
 
 TEST_F(Detail, IsFullWithoutAPointToChooseItFromAndAtZero) {

@@ -90,8 +90,6 @@ void addOptions(CLI::App& app, Options& o) {
       ->capture_default_str();
   app.add_option("--finest", o.renderer.bake.finest, "Edges as short are not cut for that light, m")
       ->capture_default_str();
-  app.add_option("--detail-px", o.renderer.detail_px, "How far curved things may be drawn off, pixels")
-      ->capture_default_str();
   app.add_flag("--no-shadows", o.no_shadows, "Draw without shadows");
 }
 
