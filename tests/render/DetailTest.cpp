@@ -111,9 +111,9 @@ TEST_F(Detail, GrowsCoarserWithDistanceOnly) {
   }
 }
 
-/// A hundred curved things that shine in one colour, beside each other ahead of the eyes; every
+/// A hundred curved things of one colour, beside each other ahead of the eyes; every
 /// second moves, one in three is mirrored.
-void addThings(TestScene& scene) {
+void addThings(TestScene& scene, const Material& material = glow(1.0, 1.0, 1.0), int sides = 48) {
   for (int i = 0; i < 100; ++i) {
     const double away = 3.0 + 0.4 * i;
     const Coord3 at{away * 0.08 * (i % 10 - 4.5), 1.2 + away * 0.06 * (i / 10 - 4.5), -away};
@@ -125,9 +125,9 @@ void addThings(TestScene& scene) {
                          TransformMatrix::scaling({i % 3 == 0 ? -1.0 : 1.0, 1.0, 1.0}));
     };
     if (i % 4 < 2)
-      place(scene.add<Cylinder>(at, glow(1.0, 1.0, 1.0), radius, 2.0 * radius, 48));
+      place(scene.add<Cylinder>(at, material, radius, 2.0 * radius, sides));
     else
-      place(scene.add<Ellipsoid>(at, glow(1.0, 1.0, 1.0), Coord3{radius, 0.7 * radius, 1.3 * radius}, 48));
+      place(scene.add<Ellipsoid>(at, material, Coord3{radius, 0.7 * radius, 1.3 * radius}, sides));
   }
 }
 
@@ -175,9 +175,44 @@ TEST_F(Detail, MovesEdgesByNoMoreThanIsAllowedAndNothingElse) {
   }
 }
 
+TEST_F(Detail, ChangesLightLittle) {
+  TestScene scene;
+  scene.setAmbient({0.3, 0.3, 0.3}, {0.1, 0.1, 0.1});
+  scene.addLight({{4.0, 20.0, 0.0}, {1.0, 1.0, 1.0}, 500.0, 200.0});
+  addThings(scene, matt(0.7, 0.7, 0.7));
+  const EyeView view = viewFrom({0.0, 1.2, 0.0});
+  const auto draw = [&](double detail_px) {
+    Renderer renderer(scene, scene.illumination(), kWidth, kHeight, {.detail_px = detail_px});
+    return picture(renderer, {&view, 1});
+  };
+  const Image fine = draw(0.0);
+  const Image coarse = draw(0.25);
+  EXPECT_GT(shareDiffering(fine, coarse, 0), 0.0);
+  for (const auto& [tolerance, share] : {std::pair{3, 0.02}, {30, 0.001}}) {
+    const double differing = shareDiffering(fine, coarse, tolerance);
+    EXPECT_LT(differing, share) << tolerance;
+    RecordProperty("differing_by_more_than_" + std::to_string(tolerance), std::to_string(differing));
+  }
+}
+
+TEST_F(Detail, NothingStandsInTheShadowOfItsOwnFinerForm) {
+  TestScene scene;
+  scene.setAmbient({0.6, 0.6, 0.6}, {0.2, 0.2, 0.2});
+  scene.addMoving<Ellipsoid>({0.0, 0.6, -20.0}, matt(0.7, 0.7, 0.7), Coord3{1.2, 0.5, 1.2}, 16);
+  EyeView view = viewFrom({0.0, 4.0, -10.0});
+  view.t_world_eye = view.t_world_eye * TransformMatrix::rotationX(-0.3);
+  view.view = {0.15, 0.15, 0.11, 0.11};
+  view.t_world_vehicle = TransformMatrix::translation({0.0, 0.0, -19.3});
+  const auto draw = [&](double detail_px) {
+    Renderer renderer(scene, scene.illumination(), kWidth, kHeight, {.detail_px = detail_px});
+    return picture(renderer, {&view, 1});
+  };
+  EXPECT_LT(shareDiffering(draw(0.0), draw(4.0), 20), 0.05);
+}
+
 TEST_F(Detail, SaysOfEachPixelWhoseItIsInACoarserFormToo) {
   TestScene scene;
-  addThings(scene);
+  addThings(scene, glow(1.0, 1.0, 1.0), 12);  // few enough for several to share a block
   const EyeView view = viewFrom({0.0, 1.2, 0.0});
   const auto ids = [&](double detail_px) {
     Renderer renderer(scene, scene.illumination(), kWidth, kHeight, {.samples = 1, .detail_px = detail_px});
