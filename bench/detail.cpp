@@ -88,6 +88,7 @@ int main(int argc, char** argv) {
   const EyeView view = lookAhead(config.width, config.height);
   const Illumination light{{}, {{0.6, 0.6, 0.6}, {0.2, 0.2, 0.2}}};
   std::vector<std::unique_ptr<Renderer>> renderers;
+  renderers.reserve(budgets.size());
   for (const double detail_px : budgets)
     renderers.push_back(std::make_unique<Renderer>(things, light, config.width, config.height,
                                                    RendererSettings{.detail_px = detail_px}));

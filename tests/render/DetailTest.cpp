@@ -93,7 +93,8 @@ TEST_F(Detail, GrowsCoarserWithDistanceOnly) {
   const Coord3 direction = normalized(Coord3{0.3, -0.4, 0.5});
   double last = 0.0;
   bool was_small = false;
-  for (double distance = 0.0; distance < 100.0; distance += 0.1) {
+  for (int step = 0; step < 1000; ++step) {
+    const double distance = 0.1 * step;
     const Sphere sphere{Coord3{1.0, 2.0, 3.0} + distance * direction, 0.2};
     EXPECT_GE(choice.allowedError(sphere), last);
     last = choice.allowedError(sphere);
@@ -116,7 +117,8 @@ TEST_F(Detail, GrowsCoarserWithDistanceOnly) {
 void addThings(TestScene& scene, const Material& material = glow(1.0, 1.0, 1.0), int sides = 48) {
   for (int i = 0; i < 100; ++i) {
     const double away = 3.0 + 0.4 * i;
-    const Coord3 at{away * 0.08 * (i % 10 - 4.5), 1.2 + away * 0.06 * (i / 10 - 4.5), -away};
+    const int row = i / 10;
+    const Coord3 at{away * 0.08 * (i % 10 - 4.5), 1.2 + away * 0.06 * (row - 4.5), -away};
     const double radius = 0.02 * away;
     const auto place = [&](Polyhedron& thing) {
       if (i % 2 == 0) thing.attach(Moving{});
@@ -225,7 +227,7 @@ TEST_F(Detail, SaysOfEachPixelWhoseItIsInACoarserFormToo) {
   for (int y = 1; y + 1 < kHeight; ++y)
     for (int x = 1; x + 1 < kWidth; ++x) {
       const auto id = [&](const IdImage& image, int dx, int dy) {
-        return image.ids[static_cast<std::size_t>((y + dy) * kWidth + x + dx)];
+        return image.ids[static_cast<std::size_t>(y + dy) * kWidth + static_cast<std::size_t>(x + dx)];
       };
       if (id(fine, 0, 0) == id(coarse, 0, 0)) continue;
       bool beside = false;

@@ -102,6 +102,7 @@ RC_GTEST_PROP(DetailLevel, OfAnEllipsoidLiesWithinItsErrorOfIt, ()) {
 
 std::vector<std::size_t> polygonCounts(const Polyhedron& shape) {
   std::vector<std::size_t> counts;
+  counts.reserve(shape.faces()->coarser.size());
   for (const DetailLevel& level : shape.faces()->coarser) counts.push_back(level.faces.size());
   return counts;
 }
