@@ -29,11 +29,11 @@ struct DetailLevel {
 struct FaceSet {
   std::vector<Coord3> vertices;
   std::vector<std::vector<std::uint32_t>> faces;
-  std::vector<DetailLevel> coarser;  ///< the coarsest last: errors rise; none where nothing is curved
   Material material;
   bool smooth = false;  ///< shade across edges (curved surfaces) instead of face by face
   /// Where `smooth`: the edge between two faces stays sharp when they meet at more than this angle, radians.
   double crease_angle = 0.7;
+  std::vector<DetailLevel> coarser = {};  ///< the coarsest last: errors rise; none where nothing is curved
 };
 
 }  // namespace coherency

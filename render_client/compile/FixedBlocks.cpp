@@ -153,6 +153,8 @@ class BlockBuilder {
   }
 
   void addLevels(const std::vector<std::uint32_t>& members, Block& block) {
+    if (std::ranges::all_of(members, [&](std::uint32_t item) { return levelsOf(items_[item]).empty(); }))
+      return;
     std::uint32_t finer = block.range.index_count;
     for (const double allowed : FixedBlocks::kLevelErrors) {
       LevelRange level{count(surfaces_.indices), 0, 0.0};
