@@ -49,6 +49,12 @@ bool Enclosures::holds(const Room& room, const Coord3& point, double off_walls) 
   return true;
 }
 
+const Enclosures::Room* Enclosures::around(const Coord3& place) const {
+  const auto room =
+      std::find_if(rooms_.begin(), rooms_.end(), [&](const Room& each) { return holds(each, place, 0.0); });
+  return room == rooms_.end() ? nullptr : &*room;
+}
+
 void Enclosures::addView(const TransformMatrix& t_world_eye, const FieldOfView& view, double near_m,
                          double pixel) {
   if (view_count_ == views_.size()) views_.emplace_back();

@@ -35,7 +35,7 @@ void DrawnScene::prepare(std::span<const EyeView> views) {
   if (views.empty()) return;
   const Coord3 origin = views.front().t_world_eye.origin();
   const DetailChoice detail = detailFor(views.front());
-  if (shadow_) shadow_->update(compiled_, views.front(), pyramids_, detail);
+  if (shadow_) shadow_->update(compiled_, views.front(), pyramids_, enclosures_, detail);
   const OverheadShadow* const map = shadow_ ? &*shadow_ : nullptr;
   lamps_.update();
   uniforms_.write(views, origin, ambient_, map);

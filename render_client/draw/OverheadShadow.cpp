@@ -63,7 +63,7 @@ OverheadShadow::OverheadShadow(const ShadowMapSize& size, std::size_t moving_cou
       program_(makeProgram("shadow", kShadowVertexShader, kShadowFragmentShader)) {
   check(size);
   while (std::ssize(tiles_) < size.tiles) tiles_.emplace_back(moving_count);
-  casters_.reserve(moving_count);
+  shading_.reserve(moving_count);
   makeMap(depth_.name(), size);
   glClearTexImage(depth_.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
@@ -114,8 +114,9 @@ void OverheadShadow::placeTiles(const EyeView& view, const ViewPyramids& views) 
   tile_count_ = 2;
 }
 
-void OverheadShadow::chooseCasters(const CompiledScene& scene, const DetailChoice& detail) {
-  casters_.clear();
+void OverheadShadow::chooseCasters(const CompiledScene& scene, const Enclosures& enclosures,
+                                   const DetailChoice& detail) {
+  shading_.clear();
   for (Tile& tile : tiles_) {
     tile.casters.drawables.clear();
     tile.casters.map_from_mesh.clear();
@@ -133,14 +134,14 @@ void OverheadShadow::chooseCasters(const CompiledScene& scene, const DetailChoic
       tiles_[t].add(scene, drawable, range);
       casts = true;
     }
-    if (casts) casters_.push_back(box);
+    if (casts) shading_.push_back({box, enclosures.around(0.5 * (box.low + box.high))});
   }
 }
 
 void OverheadShadow::update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views,
-                            const DetailChoice& detail) {
+                            const Enclosures& enclosures, const DetailChoice& detail) {
   placeTiles(view, views);
-  chooseCasters(scene, detail);
+  chooseCasters(scene, enclosures, detail);
 }
 
 void OverheadShadow::draw(const CompiledScene& scene, const SceneBuffers& buffers) {
@@ -177,9 +178,11 @@ std::string OverheadShadow::explain() const {
 
 bool OverheadShadow::reaches(const WorldBox& box) const {
   const Coord3 soft{kSoft, 0.0, kSoft};
-  return std::any_of(casters_.begin(), casters_.end(), [&](const WorldBox& caster) {
-    return box.low.y < caster.high.y &&
-           overlapFromAbove({box.low - soft, box.high + soft}, withShadow(caster, box.low.y));
+  const Coord3 middle = 0.5 * (box.low + box.high);
+  return std::any_of(shading_.begin(), shading_.end(), [&](const Shading& caster) {
+    return box.low.y < caster.box.high.y &&
+           overlapFromAbove({box.low - soft, box.high + soft}, withShadow(caster.box, box.low.y)) &&
+           (caster.room == nullptr || Enclosures::reaches(*caster.room, middle, box.high - middle));
   });
 }
 

@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "render_client/cull/DetailChoice.h"
+#include "render_client/cull/Enclosures.h"
 #include "render_client/cull/ViewPyramid.h"
 #include "render_client/draw/DrawCommands.h"
 #include "render_client/draw/EyeView.h"
@@ -36,7 +37,7 @@ class OverheadShadow {
   /// For the vehicles of a view. What casts is as coarse as it is drawn: it would be in the shadow of its own
   /// finer form.
   void update(const CompiledScene& scene, const EyeView& view, const ViewPyramids& views,
-              const DetailChoice& detail);
+              const Enclosures& enclosures, const DetailChoice& detail);
   /// Draws the map, as last updated for.
   void draw(const CompiledScene& scene, const SceneBuffers& buffers);
 
@@ -77,7 +78,7 @@ class OverheadShadow {
   };
 
   void placeTiles(const EyeView& view, const ViewPyramids& views);
-  void chooseCasters(const CompiledScene& scene, const DetailChoice& detail);
+  void chooseCasters(const CompiledScene& scene, const Enclosures& enclosures, const DetailChoice& detail);
   void drawTile(std::size_t number, const CompiledScene& scene);
 
   int resolution_;  ///< texels a side of a tile
@@ -86,7 +87,11 @@ class OverheadShadow {
   Program program_;
   std::deque<Tile> tiles_;
   std::size_t tile_count_ = 1;  ///< in this frame
-  std::vector<WorldBox> casters_;
+  struct Shading {
+    WorldBox box;
+    const Enclosures::Room* room;  ///< beyond whose walls it casts nothing; null where it is in none
+  };
+  std::vector<Shading> shading_;  ///< what casts into a tile
 };
 
 }  // namespace coherency
