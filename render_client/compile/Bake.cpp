@@ -183,9 +183,23 @@ class Baking {
   std::size_t looked_at_ = 0;        ///< edges before it have been looked at
 };
 
+Bake bakeAlone(const FixedMesh& mesh, const Illumination& illumination) {
+  Bake made{std::vector<SurfaceLight>(mesh.vertices.size()), {}, nullptr};
+  if (!mesh.objects.empty()) made.origin = mesh.objects.front().origin;
+  made.baker =
+      std::make_unique<LightBaker>(std::vector<Occluder>{}, relativeTo(made.origin, illumination), 0);
+  parallelFor(made.light.size(), [&](std::size_t v) {
+    const FixedVertex& vertex = mesh.vertices[v];
+    const glm::dvec3 from_origin = (mesh.objects[vertex.object].origin - made.origin).glm();
+    made.light[v] = made.baker->light({glm::vec3(from_origin + glm::dvec3(vertex.position)), vertex.normal});
+  });
+  return made;
+}
+
 }  // namespace
 
 Bake bake(FixedMesh& mesh, const Illumination& illumination, const BakeSettings& settings) {
+  if (settings.rays == 0) return bakeAlone(mesh, illumination);
   return Baking(mesh, settings).run(illumination);
 }
 

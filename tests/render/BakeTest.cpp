@@ -346,6 +346,28 @@ TEST(Bake, CuttingOpensNoGapAcrossCreasesEither) {
   }
 }
 
+TEST(Bake, WithoutRaysThingsAreLitAsIfEachStoodAloneAndAreNotCut) {
+  Rectangle floor(6.0, 6.0);
+  layDown(floor);
+  Box above({2.0, 0.1, 2.0});
+  above.setPosition(0.0, 1.0, 0.0);
+  Baked baked;
+  baked.add(floor);
+  baked.add(above);
+  const std::vector<std::uint32_t> before = baked.mesh.indices;
+  const Coord3 lamp{0.2, 3.0, -0.1};
+  Illumination illumination = lampOnly(lamp, 3.0);
+  illumination.ambient = {{0.3, 0.3, 0.3}, {0.1, 0.1, 0.1}};
+  baked.bakeWith(illumination, 0);
+  EXPECT_EQ(baked.mesh.indices, before);
+  ASSERT_EQ(baked.bake.light.size(), baked.mesh.vertices.size());
+  for (const std::uint32_t object : {0U, 1U})
+    baked.forEach(object, kUp, [&](const Coord3& at, double light) {
+      EXPECT_NEAR(light, 0.3 + fromLamp(lamp, 3.0, at, kUp), 0.01);
+    });
+  baked.forEach(1, -kUp, [](const Coord3&, double light) { EXPECT_NEAR(light, 0.1, 1e-5); });
+}
+
 TEST(ToneCurve, TheShadersEncodeAsSrgbToATenthOfAPercentInTheDarkToo) {
   for (int i = 0; i <= 100000; ++i) {
     const float linear = static_cast<float>(i) * 1e-5F;
