@@ -18,6 +18,7 @@ MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, const
   const std::size_t roots = std::max<std::size_t>(scene.movingRoots().size(), 1);
   glNamedBufferStorage(lamp_buffer_.name(), static_cast<GLsizeiptr>(roots * sizeof(LampSet)), nullptr,
                        GL_DYNAMIC_STORAGE_BIT);
+  seen_.reserve(scene.moving().drawables.size());
 }
 
 void MovingPass::writeLamps(const CompiledScene& scene, const LampSets& lamps) {
@@ -41,26 +42,26 @@ void MovingPass::writeLamps(const CompiledScene& scene, const LampSets& lamps) {
 void MovingPass::begin(const CompiledScene& scene, const LampSets& lamps, const Coord3& origin,
                        const ViewPyramids& views, const Enclosures& enclosures, const DetailChoice& detail) {
   writeLamps(scene, lamps);
+  seen_.clear();
   order_.clear();
+  auto* object = objects_.next<Object>();
   const std::vector<Drawable>& drawables = scene.moving().drawables;
-  for (std::size_t i = 0; i < drawables.size(); ++i) {
+  for (std::uint32_t i = 0; i < drawables.size(); ++i) {
+    const Turn turn = turnOf(scene.worldTransform(drawables[i]));
     const Sphere sphere = scene.worldSphere(drawables[i]);
-    if (turnOf(scene.worldTransform(drawables[i])) == Turn::Flat || views.sees(sphere) == InView::None ||
-        detail.tooSmall(sphere))
-      continue;
+    if (turn == Turn::Flat || views.sees(sphere) == InView::None || detail.tooSmall(sphere)) continue;
     const WorldBox box = worldBox(scene, drawables[i]);
-    if (!enclosures.hide(0.5 * (box.low + box.high), 0.5 * (box.high - box.low)))
-      order_.add(i, farthest(box, origin));
+    if (enclosures.hide(0.5 * (box.low + box.high), 0.5 * (box.high - box.low))) continue;
+    object[seen_.size()] = objectOf(drawables[i], origin, scene);
+    order_.add(seen_.size(), farthest(box, origin));
+    const IndexRange range = scene.coarsestWithin(detail.allowedError(sphere), drawables[i]);
+    seen_.push_back({i, range, turn == Turn::Mirrored});
   }
   order_.sort();
   commands_.begin();
-  auto* object = objects_.next<Object>();
   for (const NearestFirst::Shown& shown : order_.shown()) {
-    const Drawable& drawable = drawables[shown.number];
-    object[commands_.size()] = objectOf(drawable, origin, scene);
-    const double allowed = detail.allowedError(scene.worldSphere(drawable));
-    commands_.add(scene.coarsestWithin(allowed, drawable), commands_.size(),
-                  turnOf(scene.worldTransform(drawable)) == Turn::Mirrored);
+    const auto& [drawable, range, mirrored] = seen_[shown.number];
+    commands_.add(range, shown.number, mirrored);
   }
 }
 

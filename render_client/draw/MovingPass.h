@@ -37,7 +37,7 @@ class MovingPass {
   void draw(const SceneBuffers& buffers, const Program* instead = nullptr) const;
 
   /// Which of the drawables the frame's draw command of that number draws.
-  std::size_t drawn(std::size_t number) const { return order_.shown()[number].number; }
+  std::size_t drawn(std::size_t number) const { return seen_[number].drawable; }
   std::size_t count() const { return commands_.size(); }  ///< drawables, in this frame
   std::size_t triangleCount() const { return commands_.triangleCount(); }
 
@@ -60,13 +60,20 @@ class MovingPass {
     std::array<Lamp, kChosenLamps> lamps;
   };
 
+  struct Seen {
+    std::uint32_t drawable;
+    IndexRange range;  ///< of the level that is drawn
+    bool mirrored;
+  };
+
   void writeLamps(const CompiledScene& scene, const LampSets& lamps);
   static Object objectOf(const Drawable& drawable, const Coord3& origin, const CompiledScene& scene);
 
   Program program_;
   DrawCommands commands_;
-  NearestFirst order_;
-  StreamBuffer objects_;  ///< in the order in which they are drawn
+  std::vector<Seen> seen_;  ///< in the scene's order
+  NearestFirst order_;      ///< of them
+  StreamBuffer objects_;    ///< of them; written while what is read for it is at hand
   Buffer lamp_buffer_;
 };
 
