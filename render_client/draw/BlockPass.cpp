@@ -16,7 +16,8 @@ std::vector<Sphere> spheresOf(const std::vector<Block>& blocks) {
   return spheres;
 }
 
-Program program(const char* name, const ShaderVariant& variant) {
+Program program(const char* name, ShaderVariant variant) {
+  variant.depth_last = cheaperWithDepthLast();
   return makeProgram(name, fixedVertexShader(variant), fragmentShader(variant));
 }
 

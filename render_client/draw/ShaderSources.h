@@ -26,7 +26,8 @@ struct ShaderVariant {
   LightSource light = LightSource::Vertices;
   std::size_t lamps = 0;  ///< of the chosen ones, for what moves
   ShadowMapSize shadows = {};
-  bool ids = false;  ///< what is drawn, in place of how it looks (IdPicture)
+  bool ids = false;         ///< what is drawn, in place of how it looks (IdPicture)
+  bool depth_last = false;  ///< depth is tested after shading (cheaperWithDepthLast())
 };
 
 std::string fixedVertexShader(const ShaderVariant& variant);
