@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what Coherency builds, tests and runs with, from the distribution's archive (Debian 12, Ubuntu 24.04).
-# Says what it installs; does nothing when everything is there. Usage: install_packages.sh [build|test]...
+# Says what it installs; does nothing when everything is there. Usage: install_packages.sh [build|test|bench]...
 set -euo pipefail
 
 build="g++ cmake ninja-build pkg-config git libglm-dev libglfw3-dev libegl-dev libepoxy-dev libboost-dev
@@ -8,14 +8,17 @@ build="g++ cmake ninja-build pkg-config git libglm-dev libglfw3-dev libegl-dev l
   nlohmann-json3-dev libpng-dev libstb-dev libgl1-mesa-dri libegl-mesa0 python3"
 tests="libgtest-dev librapidcheck-dev libbenchmark-dev libumockdev-dev umockdev xvfb xauth xdotool iproute2
   clang libclang-rt-dev clang-format clang-tidy ffmpeg"
+# What bench/peers compares with, and plots with; no other program and no test needs it.
+bench="libopenscenegraph-dev python3-matplotlib"
 
 wanted=""
 for set in "${@:-build test}"; do
   case "$set" in
     build) wanted+=" $build" ;;
     test) wanted+=" $tests" ;;
+    bench) wanted+=" $bench" ;;
     "build test") wanted+=" $build $tests" ;;
-    *) echo "install_packages.sh: unknown set '$set'; known are: build, test" >&2; exit 2 ;;
+    *) echo "install_packages.sh: unknown set '$set'; known are: build, test, bench" >&2; exit 2 ;;
   esac
 done
 

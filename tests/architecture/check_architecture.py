@@ -30,7 +30,9 @@ FLOWS = {
     "render_client": ["receive", "replica", "compile", "cull", "draw", "present"],
 }
 
-GL_FOLDERS = ("render_client/draw/", "render_client/compile/", "render_client/present/")
+# Peers draw by themselves, to be measured against the render client.
+PEERS = "bench/peers/"
+GL_FOLDERS = ("render_client/draw/", "render_client/compile/", "render_client/present/", PEERS)
 PROTOBUF = re.compile(r"\.pb\.h$|^google/protobuf/")
 ASIO = re.compile(r"^boost/asio")
 LIBUSB = re.compile(r"^(libusb-1\.0/)?libusb\.h$")
@@ -108,8 +110,8 @@ def check_fences(tree):
             libusb_files.add(file)
             if not file.startswith("motion_server/device/"):
                 yield f"{where}: libusb only under motion_server/device"
-        if WINDOWS.search(target) and not (source and file.startswith("render_client/present/")):
-            yield f"{where}: EGL and GLFW ({target}) only in render_client/present/*.cpp"
+        if WINDOWS.search(target) and not (source and file.startswith(("render_client/present/", PEERS))):
+            yield f"{where}: EGL and GLFW ({target}) only in render_client/present/*.cpp and {PEERS}*.cpp"
         if file.startswith("common/math/") and not (
             target.startswith(("glm/", "common/math/")) or (not include.quoted and STANDARD.search(target))
         ):

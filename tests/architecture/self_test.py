@@ -38,6 +38,7 @@ GOOD = {
     "render_client/present/A.cpp": "#include <epoxy/egl.h>\n#include <epoxy/gl.h>\n#include <GLFW/glfw3.h>\n",
     "bench/A.cpp": '#include "motion_server/device/A.h"\n#include "render_client/replica/A.h"\n'
     '/* #include "render_client/draw/Gl.h" */\n// #include <libusb.h>\n',
+    "bench/peers/A.cpp": "#include <epoxy/egl.h>\n#include <epoxy/gl.h>\n",
 }
 
 PROTOBUF_RULE = "only in common/wire/*.cpp"
@@ -83,10 +84,13 @@ BAD_INCLUDES = [
     ("render_client/replica/B.cpp", "#include <epoxy/gl.h>", GL_RULE),
     ("common/scene/B.cpp", "#include <GL/gl.h>", GL_RULE),
     ("render_client/B.cpp", '#include "render_client/draw/Gl.h"', GL_RULE),
+    ("bench/B.cpp", "#include <epoxy/gl.h>", GL_RULE),
     ("render_client/draw/B.cpp", "#include <epoxy/egl.h>", WINDOW_RULE),
     ("render_client/draw/B.cpp", "#include <GLFW/glfw3.h>", WINDOW_RULE),
     ("render_client/present/B.h", "#include <GLFW/glfw3.h>", WINDOW_RULE),
     ("motion_server/B.cpp", "#include <EGL/egl.h>", WINDOW_RULE),
+    ("bench/B.cpp", "#include <epoxy/egl.h>", WINDOW_RULE),
+    ("bench/peers/B.h", "#include <epoxy/egl.h>", WINDOW_RULE),
     ("common/math/B.cpp", "#include <boost/math/constants/constants.hpp>", MATH_RULE),
     ("common/math/B.cpp", "#include <unistd.h>", MATH_RULE),
     ("common/math/B.cpp", '/* why\n */\n#include <fmt/format.h>', "common/math/B.cpp:3: common/math includes only"),
