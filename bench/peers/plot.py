@@ -50,7 +50,7 @@ def plot(figures, path):
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    figure, axes = pyplot.subplots(figsize=(7.5, 5.0), layout="constrained")
+    figure, axes = pyplot.subplots(figsize=(7.5, 5.0))
     for name, by_count in figures.items():
         counts = sorted(by_count, key=int)
         for key, style, what in (("cpu_ms", "o-", "frame, all threads"), ("update_ms", "s--", "before the GPU draws")):
@@ -62,6 +62,7 @@ def plot(figures, path):
     axes.grid(True, which="major", alpha=0.4)
     axes.legend(fontsize="small", loc="upper left")
     path.parent.mkdir(parents=True, exist_ok=True)
+    figure.tight_layout()
     figure.savefig(path, dpi=110)
 
 
