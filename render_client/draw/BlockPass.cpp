@@ -16,8 +16,7 @@ std::vector<Sphere> spheresOf(const std::vector<Block>& blocks) {
   return spheres;
 }
 
-Program program(const char* name, ShaderVariant variant) {
-  variant.depth_last = cheaperWithDepthLast();
+Program program(const char* name, const ShaderVariant& variant) {
   return makeProgram(name, fixedVertexShader(variant), fragmentShader(variant));
 }
 

@@ -9,17 +9,9 @@
 
 namespace coherency {
 
-namespace {
-
-Program programFor(ShaderVariant variant) {
-  variant.depth_last = cheaperWithDepthLast();
-  return makeProgram("moving", movingVertexShader(variant), fragmentShader(variant));
-}
-
-}  // namespace
-
 MovingPass::MovingPass(const CompiledScene& scene, std::size_t lamp_count, const ShadowMapSize& shadows)
-    : program_(programFor({LightSource::Lamps, lamp_count, shadows})),
+    : program_(makeProgram("moving", movingVertexShader({LightSource::Lamps, lamp_count, shadows}),
+                           fragmentShader({LightSource::Lamps, lamp_count, shadows}))),
       commands_(scene.moving().drawables.size()),
       order_(scene.moving().drawables.size()),
       objects_(scene.moving().drawables.size() * sizeof(Object)) {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <stdexcept>
-#include <string_view>
 
 namespace coherency {
 namespace {
@@ -46,12 +45,6 @@ Program makeProgram(const std::string& name, const std::string& vertex_source,
   std::array<char, 2048> log{};
   glGetProgramInfoLog(program.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
   throw std::runtime_error("shader program '" + name + "' does not link: " + log.data());
-}
-
-bool cheaperWithDepthLast() {
-  const GLubyte* renderer = glGetString(GL_RENDERER);
-  return renderer != nullptr &&
-         std::string_view(reinterpret_cast<const char*>(renderer)).starts_with("llvmpipe");
 }
 
 }  // namespace coherency

@@ -191,7 +191,6 @@ void main() {
 #else
   float share = 1.0;
 #endif
-  if (DEPTH_LAST && light.r < -1.0) discard;  // never; but as it might, depth has to be tested last
   picture = vec4(encoded(tone(SHADOWS ? light * (1.0 - share * shadow()) : light)), 1.0);
 }
 )";
@@ -207,8 +206,7 @@ std::string defined(const ShaderVariant& variant) {
   return "#version 450 core\n#define FIXED " +
          std::string(variant.light == LightSource::Lamps ? "false" : "true") + "\n#define MAPPED " +
          (variant.light == LightSource::Lightmap ? "1" : "0") + "\n#define IDS " + (variant.ids ? "1" : "0") +
-         "\n#define DEPTH_LAST " + (variant.depth_last ? "true" : "false") + "\n#define LIGHT_SOURCE " +
-         std::to_string(static_cast<int>(variant.light)) + "\n#define LAMPS " +
+         "\n#define LIGHT_SOURCE " + std::to_string(static_cast<int>(variant.light)) + "\n#define LAMPS " +
          std::to_string(variant.lamps) + "\n#define SHADOWS " + (shadows ? "true" : "false") +
          "\n#define TEXEL " + std::to_string(shadows ? 1.0 / variant.shadows.resolution : 0.0) +
          "\n#define TWO_TILES " + (variant.shadows.tiles == 2 ? "true" : "false") + "\n#define BRIGHTEST " +

@@ -26,8 +26,7 @@ struct ShaderVariant {
   LightSource light = LightSource::Vertices;
   std::size_t lamps = 0;  ///< of the chosen ones, for what moves
   ShadowMapSize shadows = {};
-  bool ids = false;         ///< what is drawn, in place of how it looks (IdPicture)
-  bool depth_last = false;  ///< depth is tested after shading (cheaperWithDepthLast())
+  bool ids = false;  ///< what is drawn, in place of how it looks (IdPicture)
 };
 
 std::string fixedVertexShader(const ShaderVariant& variant);
