@@ -22,14 +22,12 @@ using namespace coherency;
 
 FloorPass fixedPass(LightSource light, const VertexLayout& layout) {
   const bool mapped = light == LightSource::Lightmap;
-  return {makeProgram("fixed", bareVertexShader(mapped, false),
-                      fragmentShader({.light = light, .depth_last = cheaperWithDepthLast()})),
+  return {makeProgram("fixed", bareVertexShader(mapped, false), fragmentShader({.light = light})),
           makeProgram("marking", bareVertexShader(mapped, true), kMarkingFragmentShader), layout, 1};
 }
 
 FloorPass movingPass(const PeerScene& scene) {
-  ShaderVariant variant{LightSource::Lamps, scene.lamp_count, {}};
-  variant.depth_last = cheaperWithDepthLast();
+  const ShaderVariant variant{LightSource::Lamps, scene.lamp_count, {}};
   return {makeProgram("moving", movingVertexShader(variant), fragmentShader(variant)),
           makeProgram("marking", movingVertexShader({LightSource::Lamps, scene.lamp_count, {}, true}),
                       kMarkingFragmentShader),
