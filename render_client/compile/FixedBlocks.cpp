@@ -245,8 +245,13 @@ Levels levelsWithLight(const FixedMesh& mesh, const Triangles& cut, const Triang
 
 template <class Vertex>
 std::span<const std::uint32_t> BlockSurfaces<Vertex>::partsOf(const VRObject& object) const {
-  const auto of = [this](std::uint32_t place) { return parts[place].object; };
-  return std::ranges::equal_range(by_object, &object, std::less<>(), of);
+  const auto before = [this](std::uint32_t place, const VRObject* of) {
+    return std::less<>()(parts[place].object, of);
+  };
+  const auto first = std::lower_bound(by_object.begin(), by_object.end(), &object, before);
+  auto last = first;
+  while (last != by_object.end() && parts[*last].object == &object) ++last;
+  return {first, last};
 }
 template struct BlockSurfaces<LitVertex>;
 template struct BlockSurfaces<MappedVertex>;
