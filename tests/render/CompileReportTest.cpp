@@ -89,7 +89,8 @@ TEST_F(ReportTest, CountsWhatIsCutForItsLightAndItsLightmap) {
   EXPECT_GT(report.mapped.triangles, 0U);
   EXPECT_LE(report.mapped.triangles, 12U) << "drawn as they were before";
   EXPECT_GT(report.charts, 0U);
-  const auto texels = static_cast<std::size_t>(report.lightmap_width * report.lightmap_height);
+  const auto texels =
+      static_cast<std::size_t>(report.lightmap_width) * static_cast<std::size_t>(report.lightmap_height);
   EXPECT_EQ(report.bytes, report.lit.vertices * 24 + report.mapped.vertices * 24 + texels * 8 +
                               12 * (report.lit.triangles + report.mapped.triangles));
   EXPECT_EQ(report.lamps, 1U);
