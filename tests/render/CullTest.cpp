@@ -3,31 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "common/math/Rotation.h"
 #include "render_client/cull/SphereTree.h"
+#include "tests/render/Chance.h"
 
 namespace coherency {
 namespace {
-
-class Chance {
- public:
-  explicit Chance(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
-  Coord3 in(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
-  Coord3 direction() {
-    Coord3 v;
-    do v = in(1.0);
-    while (norm(v) > 1.0 || norm(v) < 1e-3);
-    return normalized(v);
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 struct RandomView {
   TransformMatrix t_world_eye;

@@ -3,30 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "render_client/cull/Enclosures.h"
+#include "tests/render/Chance.h"
 
 namespace coherency {
 namespace {
-
-class Chance {
- public:
-  explicit Chance(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
-  double magnitude(double low, double high) { return std::pow(10.0, between(low, high)); }
-  Coord3 in(const Coord3& half) {
-    return {between(-half.x, half.x), between(-half.y, half.y), between(-half.z, half.z)};
-  }
-  std::size_t oneOf(std::size_t count) {
-    return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine_);
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 double component(const Coord3& v, std::size_t axis) {
   return v.glm()[static_cast<int>(axis)];
