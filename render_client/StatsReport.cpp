@@ -61,7 +61,8 @@ std::string statsJson(const ClientStats& stats) {
                                 {"renderer", stats.renderer}};
   if (link.clock_known)
     all["clock"] = {{"offset_us", static_cast<double>(link.clock_offset_ns) / 1e3},
-                    {"bound_us", static_cast<double>(link.clock_bound_ns) / 1e3}};
+                    {"bound_us", static_cast<double>(link.clock_bound_ns) / 1e3},
+                    {"skew_ppm", link.clock_skew_ppm}};
   return all.dump(2, ' ', false, decltype(all)::error_handler_t::replace) + "\n";
 }
 

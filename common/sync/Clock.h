@@ -6,7 +6,7 @@
 namespace coherency {
 
 /// A point in time on one clock, in nanoseconds. Times of different clocks are different types and cannot be
-/// mixed; ClockOffset alone converts.
+/// mixed; ClockSync alone converts.
 template <class WhichClock>
 struct Time {
   std::int64_t ns = 0;

@@ -25,7 +25,7 @@ void LinkState::welcomed(const SessionConfig& session) {
     newest_.reset();
     recent_.fill(std::nullopt);
     for (auto& [tick, packet] : kept_) packet.reset();
-    offset_ = ClockOffset();
+    offset_ = ClockSync();
     frames_.clear();
   }
   tracker_.restart();
@@ -183,8 +183,10 @@ LinkStats LinkState::stats() const {
                   .connected = connected_,
                   .clock_known = offset_.known()};
   if (offset_.known()) {
-    stats.clock_offset_ns = offset_.offsetNs();
-    stats.clock_bound_ns = offset_.boundNs({clock_.nowNs()});
+    const ClientTime now{clock_.nowNs()};
+    stats.clock_offset_ns = offset_.offsetNs(now);
+    stats.clock_bound_ns = offset_.boundNs(now);
+    stats.clock_skew_ppm = offset_.skewPpm();
   }
   return stats;
 }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "common/sync/Clock.h"
-#include "common/sync/ClockOffset.h"
+#include "common/sync/ClockSync.h"
 #include "common/wire/DatagramCodec.h"
 #include "render_client/receive/SequenceTracker.h"
 #include "render_client/receive/ServerLink.h"
@@ -74,7 +74,7 @@ class LinkState {
   std::uint64_t connections_ = 0;
   std::uint64_t rejected_ = 0;
   SequenceTracker tracker_;
-  ClockOffset offset_;
+  ClockSync offset_;
   std::deque<std::int64_t> asked_;  ///< t0 of the probes that may still be answered
   std::deque<FrameReport> frames_;
 };

@@ -26,7 +26,8 @@ struct LinkStats {
   bool connected = false;
   bool clock_known = false;
   std::int64_t clock_offset_ns = 0;  ///< server minus client
-  std::int64_t clock_bound_ns = 0;
+  std::int64_t clock_bound_ns = 0;   ///< the truth is within this of it
+  double clock_skew_ppm = 0.0;       ///< how much faster the server's clock is
 };
 
 /// A packet and when it came, on this machine's clock.
