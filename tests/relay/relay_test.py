@@ -260,7 +260,7 @@ class Tcp(RelayTest):
     def test_a_mebibyte_each_way_with_a_slow_reader(self):
         self.start("--loss", 1, "--corrupt", 1)  # of UDP alone
         client = self.tcp()
-        client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 8192)
+        client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 65536)
         self.upload(client)
         self.assertEqual(self.download(client, pause=0.002), hashlib.sha256(MEBIBYTE).digest())
         client.close()
