@@ -9,7 +9,7 @@ build="g++ cmake ninja-build pkg-config git libglm-dev libglfw3-dev libegl-dev l
 tests="libgtest-dev librapidcheck-dev libbenchmark-dev libumockdev-dev umockdev xvfb xauth xdotool iproute2
   clang libclang-rt-dev clang-format clang-tidy ffmpeg"
 # What bench/peers compares with, and plots with; no other program and no test needs it.
-bench="libopenscenegraph-dev python3-matplotlib"
+bench="libopenscenegraph-dev liblcm-dev python3-matplotlib"
 
 wanted=""
 for set in "${@:-build test}"; do
