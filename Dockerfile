@@ -11,7 +11,7 @@ RUN cmake --preset release -DCOHERENCY_TESTS=OFF -DCOHERENCY_BENCH=OFF \
 FROM debian:bookworm-slim
 RUN apt-get update \
  && apt-get install -y --no-install-recommends libegl1 libegl-mesa0 libepoxy0 libfmt9 libgl1-mesa-dri libglfw3 \
-      libpng16-16 libprotobuf-lite32 libtomlplusplus3 libusb-1.0-0 python3 \
+      libpng16-16 libprotobuf-lite32 libsodium23 libtomlplusplus3 libusb-1.0-0 python3 \
  && rm -rf /var/lib/apt/lists/*
 COPY --from=build /opt/coherency /opt/coherency
 ENV PATH=/opt/coherency/bin:$PATH

@@ -4,7 +4,7 @@
 set -euo pipefail
 
 build="g++ cmake ninja-build pkg-config git libglm-dev libglfw3-dev libegl-dev libepoxy-dev libboost-dev
-  libprotobuf-dev protobuf-compiler libusb-1.0-0-dev libtomlplusplus-dev libcli11-dev libfmt-dev
+  libprotobuf-dev protobuf-compiler libsodium-dev libusb-1.0-0-dev libtomlplusplus-dev libcli11-dev libfmt-dev
   nlohmann-json3-dev libpng-dev libstb-dev libgl1-mesa-dri libegl-mesa0 python3"
 tests="libgtest-dev librapidcheck-dev libbenchmark-dev libumockdev-dev umockdev xvfb xauth xdotool iproute2
   clang libclang-rt-dev clang-format clang-tidy ffmpeg"

@@ -12,7 +12,9 @@ namespace coherency {
 enum class Reject : std::uint8_t {
   Malformed,  ///< no packet of ours, or one with contents that cannot be
   Oversized,
-  Version,  ///< ours, of another major version
+  Version,   ///< ours, of another major version
+  Forged,    ///< does not authenticate: of another key, another channel, or changed on the way
+  Replayed,  ///< authentic, and here before or too old to know
 };
 
 /// Largest datagram: stays whole on every path of 1280 bytes MTU (IPv6's minimum) and leaves room for a seal.

@@ -221,6 +221,10 @@ void SessionHost::count(Reject reject) {
     case Reject::Version:
       ++rejected_.version;
       break;
+    case Reject::Forged:
+    case Reject::Replayed:
+      assert(false && "nothing here opens a sealed datagram");
+      break;
   }
 }
 
