@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -73,9 +74,7 @@ RC_GTEST_PROP(ReplayWindow, EachPassesOnceInAnyOrderWithinTheWindow, ()) {
   const auto first = *rc::gen::inRange<std::uint64_t>(1, 1'000'000);
   std::vector<std::uint64_t> counters(kReplayWindow);
   for (std::size_t i = 0; i < counters.size(); ++i) counters[i] = first + i;
-  for (std::size_t i = counters.size() - 1; i > 0; --i) {
-    std::swap(counters[i], counters[*rc::gen::inRange<std::size_t>(0, i + 1)]);
-  }
+  std::shuffle(counters.begin(), counters.end(), std::mt19937_64(*rc::gen::arbitrary<std::uint64_t>()));
   ReplayWindow window;
   for (const std::uint64_t counter : counters) {
     RC_ASSERT(window.fresh(counter));

@@ -102,7 +102,14 @@ TEST_F(SealedStream, WhatIsInTheClearIsNotSealed) {
   Bytes clear = good;
   clear.front() = kClearMessage;
   expectRefused(clear);
-  expectRefused(bytesOf(std::string(40, '\0')));
+  // Nor does a tag make it so.
+  for (const std::byte kind : {kClearMessage, std::byte{2}}) {
+    Bytes tagged(1 + kSealTag);
+    tagged.front() = kind;
+    const auto whole = std::span(tagged);
+    encrypt(countingKey(0), nonceOf(0, 0), whole.first(1), {}, whole.last<kSealTag>());
+    expectRefused(tagged);
+  }
   expectOpens(good, "a message");
 }
 
