@@ -35,6 +35,8 @@ PEERS = "bench/peers/"
 GL_FOLDERS = ("render_client/draw/", "render_client/compile/", "render_client/present/", PEERS)
 PROTOBUF = re.compile(r"\.pb\.h$|^google/protobuf/")
 ASIO = re.compile(r"^boost/asio")
+SODIUM = re.compile(r"^sodium(\.h$|/)")
+SODIUM_FOR_KEY_FILES = "common/config/KeyFile.cpp"
 LIBUSB = re.compile(r"^(libusb-1\.0/)?libusb\.h$")
 GL = re.compile(r"^(epoxy/gl(x)?\.h|GL/|GLES\d?/|glad/)")
 WINDOWS = re.compile(r"^(epoxy/egl\.h|EGL/|GLFW/)")
@@ -106,6 +108,8 @@ def check_fences(tree):
             yield f"{where}: protobuf ({target}) only in common/wire/*.cpp"
         if ASIO.search(target) and not source:
             yield f"{where}: Asio ({target}) only in .cpp files"
+        if SODIUM.search(target) and not (source and file.startswith("common/wire/")) and file != SODIUM_FOR_KEY_FILES:
+            yield f"{where}: libsodium ({target}) only in common/wire/*.cpp and {SODIUM_FOR_KEY_FILES}"
         if LIBUSB.search(target):
             libusb_files.add(file)
             if not file.startswith("motion_server/device/"):

@@ -30,6 +30,8 @@ GOOD = {
     "common/math/A.cpp": '#include "common/math/A.h"\n#include <cmath>\n#include <glm/vec3.hpp>\n',
     "common/world/A.cpp": '#include "common/world/A.h"\n#include "common/math/A.h"\n',
     "common/wire/A.cpp": '#include "coherency.pb.h"\n#include <google/protobuf/arena.h>\n',
+    "common/wire/Key.cpp": "#include <sodium.h>\n",
+    "common/config/KeyFile.cpp": "#include <sodium.h>\n",
     "motion_server/device/Usb.cpp": "#include <libusb.h>\n",
     "motion_server/broadcast/A.cpp": "#include <boost/asio/io_context.hpp>\n",
     "motion_server/main.cpp": '#include "motion_server/broadcast/A.h"\n#include "motion_server/device/A.h"\n',
@@ -42,6 +44,7 @@ GOOD = {
 }
 
 PROTOBUF_RULE = "only in common/wire/*.cpp"
+SODIUM_RULE = "only in common/wire/*.cpp and common/config/KeyFile.cpp"
 ASIO_RULE = "only in .cpp files"
 GL_RULE = "GL only under"
 WINDOW_RULE = "only in render_client/present/*.cpp"
@@ -77,6 +80,12 @@ BAD_INCLUDES = [
     ("common/world/B.cpp", '#include "coherency.pb.h"', PROTOBUF_RULE),
     ("motion_server/broadcast/B.cpp", '#include "proto/coherency.pb.h"', PROTOBUF_RULE),
     ("render_client/receive/B.cpp", "#include <google/protobuf/message_lite.h>", PROTOBUF_RULE),
+    ("common/wire/B.h", "#include <sodium.h>", SODIUM_RULE),
+    ("common/config/KeyFile.h", "#include <sodium.h>", SODIUM_RULE),
+    ("common/config/B.cpp", "#include <sodium/crypto_auth.h>", SODIUM_RULE),
+    ("motion_server/broadcast/B.cpp", "#include <sodium.h>", SODIUM_RULE),
+    ("render_client/B.cpp", '#include "sodium.h"', SODIUM_RULE),
+    ("bench/B.cpp", "#include <sodium.h>", SODIUM_RULE),
     ("common/wire/B.h", "#include <boost/asio.hpp>", ASIO_RULE),
     ("render_client/receive/B.h", "#include <boost/asio/ip/udp.hpp>", ASIO_RULE),
     ("motion_server/device/B.cpp", "#include <libusb-1.0/libusb.h>", "libusb in more than one file"),
