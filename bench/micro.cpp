@@ -7,6 +7,7 @@
 #include "common/config/SceneFile.h"
 #include "common/motion/SampleGate.h"
 #include "common/wire/DatagramCodec.h"
+#include "common/wire/SealedDatagram.h"
 #include "common/world/Scene.h"
 
 namespace {
@@ -72,6 +73,41 @@ void inverseKinematics(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(arm.solve(palm, nullptr, seed));
 }
 BENCHMARK(inverseKinematics);
+
+void seal(benchmark::State& state) {
+  DatagramSealer sealer(randomKey(), 1);
+  std::vector<std::byte> datagram;
+  for (auto _ : state) {
+    sealer.begin(datagram);
+    datagram.resize(kSealedHeader + static_cast<std::size_t>(state.range(0)));
+    sealer.seal(datagram);
+    benchmark::DoNotOptimize(datagram.data());
+  }
+}
+BENCHMARK(seal)->Arg(300)->Arg(1000);
+
+/// A datagram opens once: they are sealed beforehand, untimed.
+void open(benchmark::State& state) {
+  const Key key = randomKey();
+  DatagramSealer sealer(key, 1);
+  DatagramOpener opener(key, 1);
+  std::vector<std::vector<std::byte>> datagrams(1024);
+  std::size_t next = datagrams.size();
+  for (auto _ : state) {
+    if (next == datagrams.size()) {
+      state.PauseTiming();
+      for (auto& datagram : datagrams) {
+        sealer.begin(datagram);
+        datagram.resize(kSealedHeader + static_cast<std::size_t>(state.range(0)));
+        sealer.seal(datagram);
+      }
+      next = 0;
+      state.ResumeTiming();
+    }
+    if (std::holds_alternative<Reject>(opener.open(datagrams[next++]))) state.SkipWithError("refused");
+  }
+}
+BENCHMARK(open)->Arg(300)->Arg(1000);
 
 }  // namespace
 
