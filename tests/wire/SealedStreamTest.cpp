@@ -107,7 +107,7 @@ TEST_F(SealedStream, WhatIsInTheClearIsNotSealed) {
     Bytes tagged(1 + kSealTag);
     tagged.front() = kind;
     const auto whole = std::span(tagged);
-    encrypt(countingKey(0), nonceOf(0, 0), whole.first(1), {}, whole.last<kSealTag>());
+    encrypt(countingKey(0), nonceOf(0, 0), whole.first(1), whole.subspan(1, 0), whole.last<kSealTag>());
     expectRefused(tagged);
   }
   expectOpens(good, "a message");
