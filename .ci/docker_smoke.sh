@@ -57,7 +57,8 @@ services:
   left:
     command: >
       sh -c "sed 's/^near_m.*/near_m = 1.0/; s/52.0/-40.0/; s/44.0/41.0/' /opt/coherency/share/coherency/hmds/generic.toml >/tmp/nothing.toml
-      && exec render_client --server server --eye left --display headless --fps 20 --wait 60 --hmd /tmp/nothing.toml
+      && until test -s /out/session.key; do sleep 0.1; done
+      && exec render_client --server server --key /out/session.key --eye left --display headless --fps 20 --wait 60 --hmd /tmp/nothing.toml
       --snapshot-dir /out --snapshot-at 12 --stats-json /out/left.json"
 Y
     docker-compose -f docker-compose.yml -f "$work/override.yml" up --exit-code-from checker | tee "$work/said" || status=$?
@@ -68,7 +69,8 @@ version: "2.4"
 services:
   server:
     command: >
-      sh -c "motion_server --config /opt/coherency/share/coherency/servers/lan.toml --insecure
+      sh -c "{ test -e /out/session.key || motion_server --make-key /out/session.key; }
+      && motion_server --config /opt/coherency/share/coherency/servers/lan.toml --key /out/session.key
       --stats-json /out/server.json --duration 14; exec sleep 60"
 Y
     docker-compose -f docker-compose.yml -f "$work/override.yml" up --exit-code-from checker | tee "$work/said" || status=$?

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "bench/BarePair.h"
+#include "bench/MovingMaster.h"
 #include "common/sync/Clock.h"
 #include "common/sync/DurationHistogram.h"
 #include "motion_server/broadcast/Broadcaster.h"
@@ -19,7 +20,8 @@ namespace {
 
 using namespace coherency;
 
-constexpr std::size_t kBareBytes = 336;  // no more than a motion packet with two redundant samples has
+constexpr std::size_t kBareBytes =
+    640;  // as a motion packet with two redundant samples and two frames, sealed
 
 /// The client's process: a ServerLink, and the bare receiver beside it.
 int receive(std::uint16_t port, BarePair& bare_pair) {
@@ -74,15 +76,11 @@ int main(int argc, char** argv) {
   if (write(port_pipe[1], &port, sizeof port) != sizeof port) return 1;
 
   const auto last = static_cast<std::uint64_t>(seconds * 2.0 * rate_hz);
-  WorldState world;
-  MotionSample sample;
-  sample.valid = kAllDofs;
+  MovingMaster master(rate_hz);
   SamplingThread sampling(static_cast<std::int64_t>(0.5e9 / rate_hz), [&](const SamplingTick& tick) {
     if (tick.tick % 2 == 0) {
-      world.tick = tick.tick;
-      ++sample.sequence;
-      sample.server_time_ns = clock.nowNs();
-      broadcaster.publish(world, sample);
+      master.sample(clock.nowNs());
+      broadcaster.publish(master.world(), master.motion(), master.newFrame());
     } else {
       bare.send(clock);
     }

@@ -1,19 +1,25 @@
 #include "motion_server/MotionServer.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <thread>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "common/config/ConfigError.h"
 #include "common/sync/StopSignal.h"
+#include "common/world/Names.h"
 #include "motion_server/device/ReplayMaster.h"
 #include "motion_server/device/SimulatedMaster.h"
 #include "motion_server/device/simulated/OperatorTask.h"
 
 namespace coherency {
 namespace {
+
+constexpr double kMicrosecond = 1e3;  // ns
+constexpr double kMillisecond = 1e6;
 
 std::int64_t periodNs(const ServerConfig& config) {
   return std::llround(1e9 / config.rate_hz);
@@ -48,33 +54,65 @@ std::unique_ptr<Master> makeMaster(const ServerConfig& config, const Scene& scen
   return std::make_unique<SimulatedMaster>(operatorTask(scene), config.rig, config.seed);
 }
 
-AuthorityConfig authorityConfig(const ServerConfig& config, const Scene& scene) {
+AuthorityConfig authorityConfig(const ServerConfig& config, const Scene& scene, bool compact) {
   AuthorityConfig result;
   result.start = orConfigError(config.scene_file, [&] { return scene.initialState(config.world_seed); });
   result.start.mode = config.mode;
   result.dofs = scene.dofs();
   result.period_ns = periodNs(config);
+  result.compact = compact;
   return result;
 }
 
-BroadcastConfig broadcastConfig(const ServerConfig& config) {
+BroadcastConfig broadcastConfig(const ServerOptions& options) {
+  const ServerConfig& config = options.config;
   BroadcastConfig result;
   result.address = config.address;
   result.port = config.port;
   result.redundancy = config.redundancy;
   result.max_clients = config.max_clients;
+  result.key = options.key;
   return result;
 }
 
-SessionConfig sessionConfig(const ServerConfig& config) {
+ForesightConfig foresightConfig(const ServerConfig& config, bool compact) {
+  ForesightConfig result;
+  result.prediction.method = *predictionByName(config.prediction);  // the configuration knows no others
+  result.prediction.max_horizon_ms = config.horizon_ms;
+  result.period_ns = periodNs(config);
+  result.compact = compact;
+  return result;
+}
+
+FrameScheduleConfig scheduleConfig(const ServerConfig& config) {
+  return {std::llround(1e9 / config.frames_hz), std::llround(config.least_margin_ms * kMillisecond),
+          std::llround(config.most_margin_ms * kMillisecond)};
+}
+
+SessionConfig sessionConfig(const ServerConfig& config, const Scene& scene, const Authority& authority,
+                            bool compact) {
   SessionConfig result;
   result.scene = config.scene;
   result.rig = config.rig;
   result.period_ns = periodNs(config);
+  result.frame_ns = scheduleConfig(config).frame_ns;
+  result.form = {scene.dofs(), compact, authority.still()};
+  if (!config.multicast_address.empty()) result.multicast = {config.multicast_address, config.multicast_port};
   return result;
 }
 
-constexpr double kMicrosecond = 1e3;  // ns
+PredictionReport predictionReport(const PredictionScore& score) {
+  PredictionReport report;
+  for (std::size_t i = 0; i < kDofCount; ++i)
+    for (std::size_t h = 0; h < kHorizons; ++h) report[i][h] = score.report(dofAt(i), h);
+  return report;
+}
+
+std::string hostName() {
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0) return "";
+  return isPlainText(name.data()) ? name.data() : "";
+}
 
 }  // namespace
 
@@ -83,8 +121,31 @@ MotionServer::MotionServer(const ServerOptions& options, const Clock& clock)
       clock_(clock),
       scene_(sceneOf(options.config)),
       master_(makeMaster(options.config, *scene_)),
-      authority_(authorityConfig(options.config, *scene_), scene_->world(), *master_),
-      broadcaster_(broadcastConfig(options.config), sessionConfig(options.config), clock) {}
+      encoding_(chooseEncoding(options.config)),
+      authority_(authorityConfig(options.config, *scene_, encoding_.compact), scene_->world(), *master_),
+      foresight_(foresightConfig(options.config, encoding_.compact), scene_->world()),
+      schedule_(scheduleConfig(options.config)),
+      broadcaster_(broadcastConfig(options),
+                   sessionConfig(options.config, *scene_, authority_, encoding_.compact), clock) {
+  if (options.config.discovery) announce();
+}
+
+/// A convenience: a server nobody can find by searching serves all the same.
+void MotionServer::announce() {
+  try {
+    announcer_ = std::make_unique<Announcer>(options_.config.address, [this, host = hostName()] {
+      return Announcement{kWireMajor,
+                          kWireMinor,
+                          host,
+                          options_.config.scene.name,
+                          broadcaster_.port(),
+                          options_.key != kNoKey,
+                          static_cast<std::uint32_t>(broadcaster_.present())};
+    });
+  } catch (const std::runtime_error& e) {
+    fmt::print(stderr, "motion_server: {}; render_client --discover will not find this server\n", e.what());
+  }
+}
 
 void MotionServer::run(const std::function<void(const ServerStats&)>& onStatus) {
   catchStopSignals();
@@ -110,14 +171,37 @@ bool MotionServer::sample(const SamplingTick& tick) {
   if (const auto mode = broadcaster_.takeModeRequest()) authority_.switchTo(*mode);
   const auto result = authority_.sample(tick.elapsed_ns, tick.now_ns, tick.ticks_elapsed);
   if (!result) return false;
-  broadcaster_.publish(result->world, result->sample);
+  foresight_.add(result->sample);
+  const auto frame = frameDue(tick, result->world);
+  broadcaster_.publish(result->world, result->sample, frame);
   const std::scoped_lock lock(mutex_);
   ++samples_;
   mode_ = result->world.mode;
   task_ = result->world.task;
   elapsed_ns_ = tick.elapsed_ns;
   refused_ = authority_.refused();
+  if (frame) {
+    const double drawn_hz =
+        1e9 / static_cast<double>(schedule_.frameNs()) / static_cast<double>(schedule_.stride());
+    frames_ = {drawn_hz, static_cast<double>(schedule_.marginNs()) / kMillisecond, schedule_.stride()};
+    const auto each_second = static_cast<std::uint64_t>(std::ceil(options_.config.frames_hz));
+    if (frame->number / schedule_.stride() % each_second == 0)
+      prediction_ = predictionReport(foresight_.score());
+  }
   return true;
+}
+
+std::optional<FrameState> MotionServer::frameDue(const SamplingTick& tick, const WorldState& world) {
+  const auto due = schedule_.take(tick.elapsed_ns);
+  if (!due) return std::nullopt;
+  const std::int64_t session_start_ns = tick.due_ns - tick.elapsed_ns;
+  for (const FrameReport& report : broadcaster_.takeReports()) {
+    if (report.arrived_server_ns == 0 || report.number >= due->number) continue;  // or was never there
+    const std::int64_t moment_ns =
+        session_start_ns + static_cast<std::int64_t>(report.number) * schedule_.frameNs();
+    schedule_.heard({report.arrived_server_ns - moment_ns, report.draw_ns});
+  }
+  return foresight_.frame(due->number, world, {session_start_ns + due->moment_ns + due->margin_ns});
 }
 
 ServerStats MotionServer::stats() const {
@@ -141,6 +225,10 @@ ServerStats MotionServer::stats() const {
   stats.task = task_;
   stats.duration_s = static_cast<double>(elapsed_ns_) / 1e9;
   stats.refused = refused_;
+  stats.encoding = encoding_.reason;
+  stats.frames = frames_;
+  stats.prediction = options_.config.prediction;
+  stats.predicted = prediction_;
   return stats;
 }
 

@@ -9,22 +9,24 @@
 #include "common/config/CommandLine.h"
 #include "common/config/ConfigError.h"
 #include "common/config/Endpoint.h"
+#include "common/config/KeyFile.h"
 #include "common/config/ReplaceFile.h"
 #include "common/config/Shipped.h"
 
 namespace coherency {
 namespace {
 
-void checkTogether(const ServerConfig& config, bool insecure) {
+void checkTogether(const ServerConfig& config, bool open) {
   if (config.master == "replay" && config.recording.empty())
     throw ConfigError("--master replay needs a recording: give --recording FILE or master.replay.recording");
   if (config.mode == Mode::Robot && !config.scene.robot)
     throw ConfigError(fmt::format(
         "mode robot: the scene {} has no robot; take another scene or mode operator", config.scene.name));
-  if (!insecure && !isLoopback(config.address))
+  if (!open && !isLoopback(config.address))
     throw ConfigError(
-        fmt::format("listening on {} would send unencrypted motion over the network; "
-                    "add --insecure to do so, or listen on 127.0.0.1",
+        fmt::format("listening on {} without a key would let anybody on the network join; make a key with "
+                    "motion_server --make-key FILE, copy the file to each client and give --key FILE to all, "
+                    "or add --insecure, or listen on 127.0.0.1",
                     config.address));
 }
 
@@ -36,7 +38,7 @@ std::string firstConfig() {
 
 /// The command line's part that goes over the file's.
 struct Overrides {
-  std::string config_file, master, recording, scene, mode, listen;
+  std::string config_file, master, recording, scene, mode, listen, key_file;
   std::optional<std::uint64_t> world_seed;
   bool has_scene = false;
   bool insecure = false;
@@ -58,8 +60,12 @@ void declare(CLI::App& app, Overrides& over, ServerOptions& options) {
       ->check(whole(0, std::numeric_limits<std::int64_t>::max()));
   app.add_option("--listen", over.listen,
                  "ADDR:PORT for TCP and UDP [127.0.0.1:7430]; port 0 takes a free one");
+  app.add_option("--key", over.key_file,
+                 "file with the key that clients must have (--make-key makes one); they and nobody else can "
+                 "join, listen or speak");
   app.add_flag("--insecure", over.insecure,
-               "allow addresses other than loopback although the link is not encrypted");
+               "without a key, allow addresses other than loopback: anybody there can join");
+  app.add_option("--make-key", options.make_key, "make a key, write it to this new file and end");
   app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C]")
       ->check(finite(0.0, 1e9));
   app.add_option("--stats-json", options.stats_json, "write statistics to this file, anew twice a second");
@@ -83,7 +89,7 @@ ServerConfig configured(const Overrides& over) {
     config.address = endpoint.host;
     config.port = endpoint.port;
   }
-  checkTogether(config, over.insecure);
+  checkTogether(config, over.insecure || !over.key_file.empty());
   return config;
 }
 
@@ -96,9 +102,11 @@ ServerOptions parseServerOptions(int argc, char** argv, int& exit_code) {
   try {
     declare(app, over, options);
     exit_code = parseArguments(app, argc, argv, "motion_server");
-    if (exit_code >= 0 || options.list_devices || options.list_objects) return options;
+    if (exit_code >= 0 || options.list_devices || options.list_objects || !options.make_key.empty())
+      return options;
     over.has_scene = app.count("--scene") > 0;
     options.config = configured(over);
+    if (!over.key_file.empty()) options.key = readKeyFile(over.key_file);
     checkReplaceable("--stats-json", options.stats_json);
   } catch (const ConfigError& e) {
     fmt::print(stderr, "motion_server: {}\n", e.what());

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "common/config/ServerConfig.h"
+#include "common/wire/Key.h"
 
 namespace coherency {
 
@@ -11,6 +12,8 @@ struct ServerOptions {
   ServerConfig config;
   double duration_s = 0.0;  ///< 0: until a signal
   std::string stats_json;   ///< empty: none
+  Key key = kNoKey;         ///< that clients must have
+  std::string make_key;     ///< empty: none to be made
   bool list_devices = false;
   bool list_objects = false;
 };

@@ -5,11 +5,22 @@
 #include <string>
 #include <vector>
 
+#include "common/motion/PredictionScore.h"
 #include "common/sync/DurationHistogram.h"
 #include "common/world/WorldState.h"
 #include "motion_server/broadcast/Broadcaster.h"
 
 namespace coherency {
+
+/// When frames are seen, as it is now.
+struct ScheduleStatus {
+  double hz = 0.0;           ///< frames a second, those left out for all not counted
+  double margin_ms = 0.0;    ///< from a frame's moment to its being seen
+  std::uint64_t stride = 1;  ///< every how many-th is drawn
+};
+
+/// How good prediction was, by DOF and horizon.
+using PredictionReport = std::array<std::array<DofScore, kHorizons>, kDofCount>;
 
 /// What a server knows of its own run.
 struct ServerStats {
@@ -29,6 +40,10 @@ struct ServerStats {
   std::uint64_t clients_served = 0;
   RejectCounts rejected;
   StereoStatus stereo;
+  std::string encoding;  ///< of samples, and why that one
+  ScheduleStatus frames;
+  std::string prediction;      ///< its kind
+  PredictionReport predicted;  ///< how good it was
 };
 
 /// One line for a terminal.

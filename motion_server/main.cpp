@@ -6,6 +6,7 @@
 
 #include "common/config/ConfigError.h"
 #include "common/config/Endpoint.h"
+#include "common/config/KeyFile.h"
 #include "common/config/LiveFile.h"
 #include "common/sync/Clock.h"
 #include "common/world/Catalogue.h"
@@ -61,6 +62,8 @@ int main(int argc, char** argv) {
   try {
     if (options.list_devices)
       listDevices();
+    else if (!options.make_key.empty())
+      coherency::makeKeyFile(options.make_key);
     else if (options.list_objects)
       listObjects();
     else

@@ -8,7 +8,8 @@
 
 namespace coherency {
 
-/// Tells when the server was lost and when it is back, a line each: what a log is to say of a run.
+/// Tells when the server was lost, when it is back and by which way motion comes, a line each: what a log is
+/// to say of a run.
 class LinkNews {
  public:
   explicit LinkNews(std::string server) : server_(std::move(server)) {}
@@ -20,6 +21,7 @@ class LinkNews {
   std::string server_;
   bool connected_ = true;
   std::uint64_t connections_ = 1;
+  MotionWay way_ = MotionWay::Udp;
 };
 
 }  // namespace coherency

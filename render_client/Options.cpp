@@ -10,7 +10,9 @@
 
 #include "common/config/CommandLine.h"
 #include "common/config/ConfigError.h"
+#include "common/config/KeyFile.h"
 #include "common/config/ReplaceFile.h"
+#include "common/wire/Packets.h"
 #include "render_client/present/Video.h"
 
 namespace coherency {
@@ -62,11 +64,16 @@ bool hasDisplay() {
 
 /// The command line's part that is looked at before it is an option.
 struct Texts {
-  std::string server = "127.0.0.1", display, size, hmd, snapshot_of;
+  std::string server = "127.0.0.1", key_file, display, size, hmd, snapshot_of;
+  bool insecure = false;
 };
 
 void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
   app.add_option("--server", texts.server, "HOST:PORT of the motion server [127.0.0.1:7430]");
+  app.add_flag("--discover", options.discover, "list the servers on this network and end");
+  app.add_option("--key", texts.key_file, "file with the server's key, copied from there");
+  app.add_flag("--insecure", texts.insecure,
+               "join a server on another machine without a key: whoever is in between can pretend to be it");
   app.add_option("--eye", options.eye, "left, right, both (side by side) or mono [both]")
       ->check(CLI::IsMember({"left", "right", "both", "mono"}));
   app.add_option("--display", texts.display, "window or headless [window where there is a display]")
@@ -91,7 +98,9 @@ void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
                  "leave out what is smaller across than so many pixels, 0 to 100; the same for both eyes [0: "
                  "nothing]")
       ->check(finite(0.0, 100.0));
-  app.add_option("--fps", options.fps, "frames a second at most, 1 to 1000 [the monitor's; headless 62.5]")
+  app.add_option("--fps", options.fps,
+                 "frames a second, about and at most, 1 to 1000: every second one is drawn, or third ... "
+                 "[the session's]")
       ->check(finite(1.0, 1000.0));
   app.add_option("--duration", options.duration_s, "end after this many seconds [0: until Ctrl-C or Esc]")
       ->check(finite(0.0, 1e9));
@@ -119,8 +128,19 @@ void declare(CLI::App& app, Texts& texts, ClientOptions& options) {
   app.set_version_flag("--version", COHERENCY_VERSION);
 }
 
+void takeServer(const Texts& texts, ClientOptions& options) {
+  options.server = parseEndpoint(texts.server, kDefaultPort);
+  if (!texts.key_file.empty()) options.key = readKeyFile(texts.key_file);
+  const bool here = options.server.host == "localhost" || isLoopback(options.server.host);
+  if (!here && texts.key_file.empty() && !texts.insecure)
+    throw ConfigError(fmt::format(
+        "--server {}: another machine needs a key; copy the server's key file here and give --key FILE, "
+        "or give --insecure where the server has none",
+        texts.server));
+}
+
 void take(const Texts& texts, ClientOptions& options) {
-  options.server = parseEndpoint(texts.server, 7430);
+  if (!options.discover) takeServer(texts, options);
   if (!texts.hmd.empty()) options.hmd = readHmdProfile(texts.hmd);
   takeSize(texts.size, options);
   options.panel_snapshots = texts.snapshot_of == "panel";

@@ -6,6 +6,7 @@
 
 #include "common/config/Endpoint.h"
 #include "common/config/HmdProfile.h"
+#include "common/wire/Key.h"
 
 namespace coherency {
 
@@ -23,7 +24,9 @@ struct ClientOptions {
   double detail_px = 0.25;   ///< RendererSettings
   double smallest_px = 0.0;  ///< likewise
   HmdProfile hmd;
-  double fps = 0.0;                   ///< 0: the monitor's, headless 62.5
+  Key key = kNoKey;                   ///< the server's
+  bool discover = false;              ///< say which servers there are, and end
+  double fps = 0.0;                   ///< at most; 0: as the session has it
   double duration_s = 0.0;            ///< 0: until a signal or Esc
   std::uint64_t frames = 0;           ///< 0: no limit
   std::string snapshot_dir;           ///< empty: current folder for snapshots by key, none at the end

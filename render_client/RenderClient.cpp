@@ -16,10 +16,9 @@
 namespace coherency {
 namespace {
 
-constexpr std::int64_t kPatienceNs = 50'000'000;  // and a frame: without motion the last pose is shown again
-constexpr double kMillisecond = 1e6;              // ns
+constexpr std::int64_t kPollNs = 50'000'000;
+constexpr double kMillisecond = 1e6;  // ns
 constexpr std::int64_t kStatusNs = 500'000'000;
-constexpr double kDefaultFps = 62.5;
 
 std::unique_ptr<Display> makeDisplay(const ClientOptions& options) {
   DisplayConfig config;
@@ -39,15 +38,12 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Replica& repl
   return {{"eye", options.eye},
           {"scene", replica.session().scene.name},
           {"hmd", options.hmd.name},
+          {"frame", fmt::format("{}", replica.frame())},
           {"tick", fmt::format("{}", replica.world().tick)},
           {"sequence", fmt::format("{}", replica.sample().sequence)},
           {"dof_units", dofs},
           {"base", fmt::format("{} {} {} {}", base.x_nm, base.y_nm, base.z_nm, base.heading_units)},
           {"hash", fmt::format("{:016x}", replica.hash())}};
-}
-
-double sessionSeconds(const Replica& replica, std::uint64_t tick) {
-  return static_cast<double>(tick) * static_cast<double>(replica.session().period_ns) * 1e-9;
 }
 
 /// So that a folder that will not do is known at the start and not at the end.
@@ -66,7 +62,8 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
     : options_(options),
       clock_(clock),
       started_(now()),
-      link_({options.server.host, options.server.port, options.eye}, clock),
+      link_({options.server.host, options.server.port, options.eye, options.key}, clock),
+      pacing_(link_, clock),
       eyes_(eyeChoice(options.eye)),
       overlay_(describe(options.server), started_) {
   if (!options.snapshot_dir.empty()) checkFolder(options.snapshot_dir);
@@ -78,18 +75,18 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
   buildWorld(session);
   awaitMotion(started_ + std::max<std::int64_t>(wait_ns, 1'000'000'000));
   planPictures();
-  if (!options.video.empty()) video_.emplace(options.video, 1.0 / sessionSeconds(*replica_, frame_ticks_));
+  if (!options.video.empty()) video_.emplace(options.video, 1.0 / pacing_.secondsBetween());
 }
 
 void RenderClient::awaitMotion(ClientTime deadline) {
-  while (!link_.waitForTick(0, kPatienceNs) && now() < deadline && !stopRequested()) display_->poll();
-  const auto newest = link_.newest();
-  if (!newest)
-    throw std::runtime_error(
-        fmt::format("{} welcomed this client over TCP, but no motion came over UDP: let UDP port {} through "
-                    "every firewall between the two machines",
-                    describe(options_.server), options_.server.port));
-  newest_arrived_ = newest->arrived;
+  while (!link_.waitForFrame(1, kPollNs) && now() < deadline && !stopRequested()) display_->poll();
+  const auto first = link_.nextFrame(0, 1, {0}, 0);
+  if (!first)
+    throw std::runtime_error(fmt::format(
+        "{} welcomed this client, but no motion came, neither over UDP nor over TCP: start the server "
+        "again, and look at its messages",
+        describe(options_.server)));
+  newest_arrived_ = first->arrived;
 }
 
 void RenderClient::planPictures() {
@@ -100,17 +97,17 @@ void RenderClient::planPictures() {
     planned_.push_back({time, options_.eye + number});
   }
   keepPlanned();
-  const std::uint64_t tick = link_.newest()->packet.world.tick;
-  if (!times.empty() && tick > gridTick(times.front()))
+  const std::uint64_t newest = link_.newestFrame();
+  if (!times.empty() && newest > pacing_.frameAt(times.front()))
     throw std::runtime_error(
         fmt::format("--snapshot-at {}: the session has run for {:.1f} s already; name a later moment",
-                    times.front(), sessionSeconds(*replica_, tick)));
+                    times.front(), pacing_.momentS(newest)));
 }
 
 void RenderClient::keepPlanned() {
-  std::vector<std::uint64_t> ticks;
-  for (const PlannedPicture& picture : planned_) ticks.push_back(gridTick(picture.session_s));
-  link_.keepFirstFrom(ticks);
+  std::vector<std::uint64_t> numbers;
+  for (const PlannedPicture& picture : planned_) numbers.push_back(pacing_.frameAt(picture.session_s));
+  link_.keepFirstFrom(numbers);
 }
 
 void RenderClient::buildWorld(const SessionConfig& session) {
@@ -123,7 +120,7 @@ void RenderClient::buildWorld(const SessionConfig& session) {
       RendererSettings{
           .samples = options_.samples, .detail_px = options_.detail_px, .smallest_px = options_.smallest_px});
   renderer_->setDisplay(options_.hmd, eyes_, options_.render_scale);
-  layGrid();
+  beginFrames();
 }
 
 /// To the display, whose window may have another size than it had.
@@ -134,13 +131,8 @@ void RenderClient::fitPictures() {
       pictureSize(options_.hmd, eyes_, display_size_.width, display_size_.height, options_.render_scale);
 }
 
-/// A frame is as many ticks as fit into it at the rate asked for, else the monitor's, else 62.5 a second.
-void RenderClient::layGrid() {
-  const double display_fps = display_->refreshHz() > 0.0 ? display_->refreshHz() : kDefaultFps;
-  const double fps = options_.fps > 0.0 ? options_.fps : display_fps;
-  const double rate_hz = 1e9 / static_cast<double>(replica_->session().period_ns);
-  frame_ticks_ = static_cast<std::uint64_t>(std::max(1.0, std::floor(rate_hz / fps)));
-  drawn_tick_ = 0;
+void RenderClient::beginFrames() {
+  pacing_.begin(replica_->session(), options_.fps);
   keepPlanned();
 }
 
@@ -149,46 +141,17 @@ void RenderClient::followSession() {
   if (!session || session->session_id == replica_->session().session_id) return;
   if (sameWorld(*session, replica_->session())) {
     replica_->follow(*session);
-    layGrid();
+    beginFrames();
   } else {
     buildWorld(*session);
   }
 }
 
-/// First tick of the grid that is not before a time of the session.
-std::uint64_t RenderClient::gridTick(double session_s) const {
-  const double frame_s =
-      static_cast<double>(replica_->session().period_ns) * 1e-9 * static_cast<double>(frame_ticks_);
-  return static_cast<std::uint64_t>(std::ceil(session_s / frame_s)) * frame_ticks_;
-}
-
-/// The pose of the next picture that was asked for: of the first packet from its moment on, however slow this
-/// machine is, so that both eyes' pictures are of one moment. None until a frame later, when what came in
-/// another order has come.
-std::optional<ReceivedPacket> RenderClient::plannedPose() const {
-  const auto newest = link_.newest();
-  if (planned_.empty() || !newest) return std::nullopt;
-  const std::uint64_t tick = gridTick(planned_.front().session_s);
-  const auto first = link_.firstFrom(tick);
-  const bool none_before = first && first->packet.world.tick == tick;
-  return none_before || newest->packet.world.tick >= tick + frame_ticks_ ? first : std::nullopt;
-}
-
-/// The pose of the next frame on the grid; where none comes in time, the newest there is.
-std::optional<ReceivedPacket> RenderClient::awaitPose() const {
-  const auto latestOnGrid = [&](const ReceivedPacket& newest) {
-    return newest.packet.world.tick / frame_ticks_ * frame_ticks_;
-  };
-  auto newest = link_.newest();
-  if (!newest || latestOnGrid(*newest) <= drawn_tick_) {
-    const std::uint64_t wanted = newest ? drawn_tick_ / frame_ticks_ * frame_ticks_ + frame_ticks_ : 0;
-    const auto frame_ns = static_cast<std::int64_t>(frame_ticks_) * replica_->session().period_ns;
-    link_.waitForTick(wanted, frame_ns + kPatienceNs);
-    newest = link_.newest();
-    if (!newest) return std::nullopt;
-  }
-  const auto on_grid = link_.atTick(latestOnGrid(*newest));
-  return on_grid ? on_grid : newest;
+/// The frame of the next picture that was asked for, however slow this machine is, so that both eyes'
+/// pictures are of one moment.
+std::optional<ReceivedFrame> RenderClient::plannedFrame() const {
+  if (planned_.empty()) return std::nullopt;
+  return pacing_.firstFrom(pacing_.frameAt(planned_.front().session_s));
 }
 
 void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) {
@@ -203,8 +166,11 @@ void RenderClient::run(const std::function<void(const ClientStats&)>& onStatus) 
     }
     handleInput();
     followSession();
-    const auto picture = plannedPose();
-    if (const auto pose = picture ? picture : awaitPose(); pose) drawFrame(*pose, picture.has_value());
+    const auto picture = plannedFrame();
+    if (const auto frame = picture ? picture : pacing_.await())
+      drawFrame(*frame, picture.has_value());
+    else
+      drawAgain();
   }
   endVideo();
   takeWhatIsLeft();
@@ -218,34 +184,55 @@ void RenderClient::takeWhatIsLeft() {
   if (!planned_.empty() || views_.empty())
     throw std::runtime_error(
         fmt::format("no picture: the run ended at {:.1f} s of the session, before the moment asked for",
-                    sessionSeconds(*replica_, drawn_tick_)));
+                    pacing_.momentS(pacing_.newestShown())));
 }
 
-void RenderClient::drawFrame(const ReceivedPacket& pose, bool is_picture) {
-  const ClientTime begun = now();
-  newest_arrived_ = pose.arrived;
-  const bool ours = pose.packet.session_id == replica_->session().session_id;
-  if (!ours || !replica_->apply(pose.packet)) {  // never drawn wrong: the picture before it stays
-    if (ours && is_picture)
-      throw std::runtime_error(
-          fmt::format("--snapshot-at {}: the packet of that moment does not agree with its own hash",
-                      planned_.front().session_s));
-    drawn_tick_ = pose.packet.world.tick;
-    return;
+void RenderClient::drawFrame(const ReceivedFrame& frame, bool is_picture) {
+  newest_arrived_ = frame.arrived;
+  pacing_.choose(frame);
+  if (!replica_->apply(frame.state)) {  // never drawn wrong: the picture before it stays
+    if (is_picture)
+      throw std::runtime_error(fmt::format(
+          "--snapshot-at {}: the state of that moment does not have its hash", planned_.front().session_s));
+    return pacing_.mismatched(frame);
   }
+  const ClientTime begun = now();
+  drawViews();
+  const std::int64_t draw_ns = now() - begun;
+  takeSnapshots(is_picture);
+  addToVideo(frame.state.number);
+  showText();
+  pacing_.awaitPhotons(frame);
+  present();
+  countPicture();
+  pacing_.shown(frame, replica_->world().tick, replica_->hash(), draw_ns);
+}
+
+/// Complete when it returns: only then is it known what a picture takes.
+void RenderClient::drawViews() {
   fitPictures();
   renderer_->resize(picture_.width * eyeCount(eyes_), picture_.height);
   eyeViews(replica_->scene(), replica_->world().mode, options_.hmd, eyes_, picture_.width, picture_.height,
            views_);
   const std::size_t compilations = renderer_->compilations();
   renderer_->draw(views_);
+  renderer_->finish();
   if (renderer_->compilations() != compilations) noteFoundToMove();
-  takeSnapshots(is_picture);
-  addToVideo(pose.packet.world.tick);
-  showText();
+}
+
+void RenderClient::present() {
   if (display_->hasWindow()) renderer_->present(display_->width(), display_->height());
   display_->present();
-  countFrame(pose, begun, now());
+}
+
+/// Nothing new has come: what was shown stays, and says that it is old.
+void RenderClient::drawAgain() {
+  if (views_.empty()) return;
+  drawViews();
+  takeSnapshots(false);
+  showText();
+  present();
+  countPicture();
 }
 
 void RenderClient::noteFoundToMove() {
@@ -255,17 +242,10 @@ void RenderClient::noteFoundToMove() {
       found_to_move_.push_back(path);
 }
 
-void RenderClient::countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented) {
+void RenderClient::countPicture() {
   ++frames_;
-  if (!first_frame_) first_frame_ = presented;
-  last_frame_ = presented;
-  frame_time_.add(presented - begun);
-  const auto server_now = link_.toServer(presented);
-  if (server_now && pose.packet.world.tick > drawn_tick_) {
-    motion_to_present_.add(server_now->ns - pose.packet.sample.server_time_ns);
-    link_.reportFrame({replica_->sample().sequence, replica_->hash(), server_now->ns});
-  }
-  drawn_tick_ = pose.packet.world.tick;
+  last_frame_ = now();
+  if (!first_frame_) first_frame_ = last_frame_;
 }
 
 /// Before any text is drawn over the picture.
@@ -329,11 +309,10 @@ Image RenderClient::snapshot() {
 
 /// As long as it was to be seen: a picture stands in for those that this machine was too slow to draw, up to
 /// a second of them. A film that cannot go on ends; what is drawn goes on.
-void RenderClient::addToVideo(std::uint64_t tick) {
+void RenderClient::addToVideo(std::uint64_t number) {
   if (!video_ || !video_fault_.empty()) return;
-  const std::uint64_t frames =
-      tick > drawn_tick_ && drawn_tick_ > 0 ? (tick - drawn_tick_) / frame_ticks_ : 1;
-  const auto second = static_cast<std::uint64_t>(std::ceil(1.0 / sessionSeconds(*replica_, frame_ticks_)));
+  const std::uint64_t frames = pacing_.framesSince(number);
+  const auto second = static_cast<std::uint64_t>(std::ceil(1.0 / pacing_.secondsBetween()));
   try {
     video_->write(snapshot(), std::clamp<std::uint64_t>(frames, 1, second));
   } catch (const std::exception& e) {
@@ -360,8 +339,9 @@ bool RenderClient::finished() const {
 ClientStats RenderClient::stats() const {
   ClientStats stats;
   stats.frames = frames_;
-  stats.frame_ms = spread(frame_time_, kMillisecond);
-  stats.motion_to_present_ms = spread(motion_to_present_, kMillisecond);
+  stats.frame_ms = spread(pacing_.drawing(), kMillisecond);
+  stats.motion_to_present_ms = spread(pacing_.motionToPresent(), kMillisecond);
+  stats.late_ms = spread(pacing_.lateness(), kMillisecond);
   stats.eye = options_.eye;
   stats.scene = replica_->session().scene.name;
   stats.renderer = renderer_->rendererName();

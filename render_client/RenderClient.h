@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/sync/Clock.h"
+#include "render_client/FramePacing.h"
 #include "render_client/Options.h"
 #include "render_client/Overlay.h"
 #include "render_client/StatsReport.h"
@@ -23,8 +24,8 @@ namespace coherency {
 
 /// A render client as a whole: receive -> replica -> draw -> present, frame by frame.
 ///
-/// Frames are drawn on a grid of ticks: every eye draws the samples whose tick is a multiple of the frame's
-/// length, so that the eyes of one session draw the same moments without talking to each other.
+/// What is drawn, and when it is to be seen, each frame says itself (FrameState): the eyes of one session
+/// show the same moments at the same time without talking to each other.
 class RenderClient {
  public:
   /// Waits for the server and its first motion, then opens the display. Throws std::runtime_error with place
@@ -45,18 +46,19 @@ class RenderClient {
   void planPictures();
   void keepPlanned();
   void buildWorld(const SessionConfig& session);
-  void layGrid();
+  void beginFrames();
   void followSession();
-  std::optional<ReceivedPacket> awaitPose() const;
-  std::optional<ReceivedPacket> plannedPose() const;
-  std::uint64_t gridTick(double session_s) const;
+  std::optional<ReceivedFrame> plannedFrame() const;
   void fitPictures();
-  void drawFrame(const ReceivedPacket& pose, bool is_picture);
+  void drawFrame(const ReceivedFrame& frame, bool is_picture);
+  void drawAgain();
+  void drawViews();
+  void present();
   void noteFoundToMove();
-  void countFrame(const ReceivedPacket& pose, ClientTime begun, ClientTime presented);
+  void countPicture();
   void takeSnapshots(bool is_picture);
   Image snapshot();
-  void addToVideo(std::uint64_t tick);
+  void addToVideo(std::uint64_t number);
   void endVideo();
   void showText();
   void handleInput();
@@ -72,6 +74,7 @@ class RenderClient {
   const Clock& clock_;
   ClientTime started_;
   ServerLink link_;
+  FramePacing pacing_;
   std::unique_ptr<Display> display_;
   EyeChoice eyes_;
   struct PlannedPicture {
@@ -85,9 +88,7 @@ class RenderClient {
   PanelSize display_size_;  ///< one eye's part of it, pixels
   PanelSize picture_;       ///< that is drawn for an eye
   std::optional<Video> video_;
-  std::string video_fault_;        ///< what ended it before its time
-  std::uint64_t frame_ticks_ = 1;  ///< length of a frame on the grid
-  std::uint64_t drawn_tick_ = 0;
+  std::string video_fault_;  ///< what ended it before its time
   ClientTime newest_arrived_;
   std::optional<ClientTime> first_frame_;
   ClientTime last_frame_;
@@ -98,8 +99,6 @@ class RenderClient {
   std::uint64_t frames_ = 0;
   std::uint64_t recompilations_ = 0;
   std::vector<std::string> found_to_move_;  ///< paths, as they were found
-  DurationHistogram frame_time_;
-  DurationHistogram motion_to_present_;
 };
 
 }  // namespace coherency

@@ -10,6 +10,18 @@ nlohmann::ordered_json json(const Spread& s) {
   return {{"p50", s.p50}, {"p99", s.p99}, {"max", s.max}};
 }
 
+const char* wayName(MotionWay way) {
+  switch (way) {
+    case MotionWay::Udp:
+      return "udp";
+    case MotionWay::Multicast:
+      return "multicast";
+    case MotionWay::Tcp:
+      return "tcp";
+  }
+  return "";
+}
+
 std::string clockText(const LinkStats& link) {
   if (!link.clock_known) return "clock unknown";
   return fmt::format("clock {:+.0f} +-{:.0f} us", static_cast<double>(link.clock_offset_ns) / 1e3,
@@ -47,6 +59,7 @@ std::string statsJson(const ClientStats& stats) {
                                 {"first_frame_ms", stats.first_frame_ms},
                                 {"frame_ms", json(stats.frame_ms)},
                                 {"motion_to_present_ms", json(stats.motion_to_present_ms)},
+                                {"late_ms", json(stats.late_ms)},
                                 {"motion_age_ms", stats.motion_age_ms},
                                 {"connections", link.connections},
                                 {"packets",
@@ -54,8 +67,15 @@ std::string statsJson(const ClientStats& stats) {
                                   {"lost", link.lost},
                                   {"recovered", link.recovered},
                                   {"reordered", link.reordered},
-                                  {"rejected", link.rejected}}},
-                                {"replica", {{"hash_mismatches", stats.hash_mismatches}}},
+                                  {"rejected", link.rejected},
+                                  {"forged", link.forged},
+                                  {"replayed", link.replayed},
+                                  {"without_keyframe", link.without_keyframe}}},
+                                {"way", wayName(link.way)},
+                                {"replica",
+                                 {{"hash_mismatches", stats.hash_mismatches},
+                                  {"keyframes", link.keyframes},
+                                  {"differing_field", link.differing_field}}},
                                 {"recompilations", stats.recompilations},
                                 {"found_to_move", stats.found_to_move},
                                 {"renderer", stats.renderer}};

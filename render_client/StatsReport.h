@@ -21,8 +21,9 @@ struct ClientStats {
   double fps = 0.0;             ///< over the whole run, from the first frame on
   double first_frame_ms = 0.0;  ///< from the program's start
   double motion_age_ms = 0.0;   ///< of the newest packet, now
-  Spread frame_ms;              ///< pose to picture complete
-  Spread motion_to_present_ms;  ///< sampling on the server to picture complete here
+  Spread frame_ms;              ///< drawing a picture until it is complete
+  Spread motion_to_present_ms;  ///< sampling on the server to being presented here
+  Spread late_ms;               ///< being presented after the frame's time
   std::uint64_t hash_mismatches = 0;
   std::uint64_t recompilations = 0;        ///< of the scene, each a hitch
   std::vector<std::string> found_to_move;  ///< paths of what moved without being declared Moving

@@ -10,6 +10,25 @@
 #include "render_client/Options.h"
 #include "render_client/RenderClient.h"
 #include "render_client/StatsReport.h"
+#include "render_client/receive/ServerSearch.h"
+
+namespace {
+
+constexpr std::int64_t kSearchNs = 1'000'000'000;
+
+int listServers() {
+  const auto servers = coherency::searchServers(kSearchNs);
+  for (const auto& server : servers) fmt::print("{}\n", coherency::describe(server));
+  if (!servers.empty()) return 0;
+  fmt::print(
+      stderr,
+      "no server answers on this network: start motion_server, on an address that this machine reaches and "
+      "with UDP port {} open\n",
+      coherency::kDiscoveryPort);
+  return 1;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace coherency;
@@ -17,6 +36,7 @@ int main(int argc, char** argv) {
   const ClientOptions options = parseClientOptions(argc, argv, exit_code);
   if (exit_code >= 0) return exit_code;
   try {
+    if (options.discover) return listServers();
     const MonotonicClock clock;
     const std::string server = describe(options.server);
     fmt::print(stderr, "{} eye{}: asking the server at {}, for {} s at most\n", options.eye,

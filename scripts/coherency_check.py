@@ -135,9 +135,10 @@ def server_faults(server):
         yield f"the server took {server['samples']} samples where {wanted:.0f} were due"
     stereo = server["stereo"]
     if stereo["frames_compared"] < 3:
-        yield f"only {stereo['frames_compared']} frames of the left eye were of the same moment as one of the right eye"
+        yield f"only {stereo['frames_compared']} frames were drawn by both eyes"
     elif stereo["frames_agreeing"] < stereo["frames_compared"]:
-        yield f"only {stereo['frames_agreeing']} of {stereo['frames_compared']} frames agree between the eyes"
+        yield (f"only {stereo['frames_agreeing']} of {stereo['frames_compared']} frames agree between the eyes: "
+               f"{stereo['differing']['tick']} were of two moments, {stereo['differing']['state']} of two states")
 
 
 def counted(number, what):
@@ -164,10 +165,13 @@ def describe(server, eyes):
         print(f"task: {counted(task['towers'], 'tower')} of three blocks, the last {task['tower_s'] - task['started_s']:.1f} s after "
               f"the joystick first moved, as {server['mode']}")
     stereo = server["stereo"]
-    drawn = " and ".join(str(eye["frames"]) for eye in eyes.values())
-    print(f"both eyes: of {drawn} frames drawn, {stereo['frames_compared']} were of the same sample; of these "
-          f"{stereo['frames_agreeing']} show the same state, {stereo['present_skew_us']['p50'] / 1000:.1f} ms apart at the "
-          "median")
+    frames = server["frames"]
+    one_eyed = ", ".join(f"{count} {cause.replace('_', ' ')}" for cause, count in stereo["one_eye_only"].items() if count)
+    print(f"both eyes: {stereo['frames_compared']} frames drawn by both, {stereo['frames_agreeing']} of them from the same "
+          f"state, shown {stereo['present_skew_us']['p50'] / 1000:.2f} ms apart at the median; drawn by one eye alone: "
+          f"{one_eyed or 'none'}")
+    print(f"frames: {frames['hz']:.1f} a second, seen {frames['margin_ms']:.0f} ms after their moment, predicted by "
+          f"{server['prediction']['kind']}")
 
 
 def load(folder, name, since):

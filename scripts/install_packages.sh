@@ -7,7 +7,7 @@ build="g++ cmake ninja-build pkg-config git libglm-dev libglfw3-dev libegl-dev l
   libprotobuf-dev protobuf-compiler libsodium-dev libusb-1.0-0-dev libtomlplusplus-dev libcli11-dev libfmt-dev
   nlohmann-json3-dev libpng-dev libstb-dev libgl1-mesa-dri libegl-mesa0 python3"
 tests="libgtest-dev librapidcheck-dev libbenchmark-dev libumockdev-dev umockdev xvfb xauth xdotool iproute2
-  clang libclang-rt-dev clang-format clang-tidy ffmpeg"
+  clang libclang-rt-dev clang-format clang-tidy ffmpeg python3-protobuf python3-nacl"
 # What bench/peers compares with, and plots with; no other program and no test needs it.
 bench="libopenscenegraph-dev liblcm-dev python3-matplotlib"
 

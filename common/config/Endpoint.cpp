@@ -81,4 +81,9 @@ bool isLoopback(const std::string& numeric_address) {
   return numeric_address == "::1" || numeric_address.starts_with("127.");
 }
 
+bool isMulticast(const std::string& address) {
+  in_addr bytes{};
+  return ::inet_pton(AF_INET, address.c_str(), &bytes) == 1 && IN_MULTICAST(ntohl(bytes.s_addr));
+}
+
 }  // namespace coherency

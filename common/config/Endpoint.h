@@ -25,5 +25,7 @@ Endpoint parseListenEndpoint(const std::string& text, std::uint16_t fallback);
 /// server asks no resolver where it is.
 std::optional<std::string> listenAddress(const std::string& text);
 bool isLoopback(const std::string& numeric_address);
+/// 224.0.0.0/4, numeric.
+bool isMulticast(const std::string& address);
 
 }  // namespace coherency

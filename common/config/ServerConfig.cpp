@@ -43,6 +43,45 @@ void readMaster(TomlTable& root, const std::string& path, ServerConfig& config) 
   master.finish();
 }
 
+void readDelivery(TomlTable& network, ServerConfig& config) {
+  config.encoding = network.oneOf("encoding", config.encoding, {"exact", "compact", "auto"});
+  config.discovery = network.flag("discovery", config.discovery);
+  const std::string group = network.text("multicast", "");
+  if (group.empty()) return;
+  const Endpoint endpoint = [&] {
+    try {
+      return parseEndpoint(group, 0);
+    } catch (const ConfigError& e) {
+      throw network.error("multicast", e.what());
+    }
+  }();
+  if (endpoint.port == 0 || !isMulticast(endpoint.host))
+    throw network.error(
+        "multicast", fmt::format("\"{}\" is no group to send to; right would be an IPv4 group of one's own "
+                                 "with a port, as \"239.255.74.30:7432\"",
+                                 group));
+  config.multicast_address = endpoint.host;
+  config.multicast_port = endpoint.port;
+}
+
+void readFrames(TomlTable& root, ServerConfig& config) {
+  TomlTable frames = root.table("frames");
+  config.frames_hz = frames.number("hz", config.frames_hz, 1.0, 1000.0);
+  config.least_margin_ms = frames.number("least_margin_ms", config.least_margin_ms, 0.0, 1000.0);
+  config.most_margin_ms = frames.number("most_margin_ms", config.most_margin_ms, 0.0, 1000.0);
+  if (config.most_margin_ms < config.least_margin_ms)
+    throw frames.error("most_margin_ms", "is below least_margin_ms; right would be at least that");
+  frames.finish();
+  TomlTable prediction = root.table("prediction");
+  config.prediction = prediction.oneOf("kind", config.prediction, {"none", "velocity", "kalman"});
+  config.horizon_ms = prediction.number("horizon_ms", config.horizon_ms, 0.0, 200.0);
+  prediction.finish();
+  TomlTable accuracy = root.table("accuracy");
+  config.hand_mm = accuracy.number("hand_mm", config.hand_mm, 0.0, 1000.0);
+  config.view_px = accuracy.number("view_px", config.view_px, 0.0, 1000.0);
+  accuracy.finish();
+}
+
 }  // namespace
 
 void setScene(ServerConfig& config, const std::string& scene) {
@@ -81,7 +120,9 @@ ServerConfig readServerConfig(const std::string& path) {
   config.port = static_cast<std::uint16_t>(network.integer("port", config.port, 0, 65535));
   config.redundancy = static_cast<int>(network.integer("redundancy", config.redundancy, 0, 7));
   config.max_clients = static_cast<int>(network.integer("max_clients", config.max_clients, 1, 1024));
+  readDelivery(network, config);
   network.finish();
+  readFrames(root, config);
   TomlTable sampling = root.table("sampling");
   config.rate_hz = sampling.number("rate_hz", config.rate_hz, 10.0, 10000.0);
   sampling.finish();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstdint>
 
@@ -24,22 +25,26 @@ class Clock {
  public:
   virtual ~Clock() = default;
   virtual std::int64_t nowNs() const = 0;
+  /// Returns when it is that late, at once where it is later.
+  virtual void sleepUntil(std::int64_t ns) const = 0;
 };
 
 /// CLOCK_MONOTONIC of this machine.
 class MonotonicClock final : public Clock {
  public:
   std::int64_t nowNs() const override;
+  void sleepUntil(std::int64_t ns) const override;
 };
 
-/// Stands still until told otherwise.
+/// Stands still until told otherwise; who sleeps by it makes it later.
 class ManualClock final : public Clock {
  public:
   std::int64_t nowNs() const override { return now_ns_; }
+  void sleepUntil(std::int64_t ns) const override { now_ns_ = std::max(now_ns_, ns); }
   void advance(std::int64_t ns) { now_ns_ += ns; }
 
  private:
-  std::int64_t now_ns_ = 0;
+  mutable std::int64_t now_ns_ = 0;
 };
 
 }  // namespace coherency

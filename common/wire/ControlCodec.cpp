@@ -8,22 +8,25 @@
 
 #include "common/wire/ControlFraming.h"
 #include "common/wire/Validity.h"
+#include "common/wire/WireState.h"
 
 namespace coherency {
 namespace {
 
-std::vector<std::byte> frame(const wire::ControlMessage& message) {
-  const std::size_t size = message.ByteSizeLong();
-  std::vector<std::byte> out(kControlPrefix + size);
-  message.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(out.data() + kControlPrefix));
-  finishControlFrame(out, 0);
-  return out;
-}
-
 template <class T>
 DecodedControl ifValid(T&& value) {
   if (!isValid(value)) return Reject::Malformed;
-  return std::forward<T>(value);
+  return ControlMessage(std::forward<T>(value));
+}
+
+bool readKey(const std::string& in, Key& key) {
+  if (in.size() != key.size()) return false;
+  std::transform(in.begin(), in.end(), key.begin(), [](char c) { return static_cast<std::byte>(c); });
+  return true;
+}
+
+std::string bytesOf(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 DecodedControl read(const wire::Hello& in) {
@@ -31,9 +34,13 @@ DecodedControl read(const wire::Hello& in) {
   hello.major = in.major();
   hello.minor = in.minor();
   if (hello.major != kWireMajor) return hello;
-  hello.eye = in.eye();
-  hello.software = in.software();
+  hello.keyed = in.keyed();
+  if (!readKey(in.public_key(), hello.public_key)) return Reject::Malformed;
   return ifValid(std::move(hello));
+}
+
+DecodedControl read(const wire::Join& in) {
+  return ifValid(Join{in.eye(), in.software()});
 }
 
 /// Every measure once; names of a newer minor version are passed over.
@@ -98,18 +105,57 @@ void write(const SceneDescription& scene, wire::Scene& out) {
 }
 
 DecodedControl read(const wire::Welcome& in) {
-  if (in.major() != kWireMajor) return Reject::Version;
-  if (in.udp_port() > 65535 || in.period_ns() > static_cast<std::uint64_t>(kMaxPeriodNs))
+  if (in.udp_port() > 65535 || in.multicast_port() > 65535 ||
+      in.period_ns() > static_cast<std::uint64_t>(kMaxPeriodNs) ||
+      in.frame_ns() > static_cast<std::uint64_t>(kMaxPeriodNs) ||
+      in.still_size() != static_cast<int>(kDofCount))
     return Reject::Malformed;
   SessionConfig session;
   session.session_id = in.session_id();
   session.client_id = in.client_id();
-  session.client_token = in.client_token();
   session.rig.name = in.rig_name();
   session.period_ns = static_cast<std::int64_t>(in.period_ns());
+  session.frame_ns = static_cast<std::int64_t>(in.frame_ns());
   session.udp_port = static_cast<std::uint16_t>(in.udp_port());
-  if (!read(in.scene(), session.scene) || !read(in.rig(), session.rig)) return Reject::Malformed;
+  session.form.dofs = in.dofs();
+  session.form.compact = in.compact();
+  std::copy(in.still().begin(), in.still().end(), session.form.still.begin());
+  if (!in.multicast_address().empty())
+    session.multicast = {in.multicast_address(), static_cast<std::uint16_t>(in.multicast_port())};
+  if (!readKey(in.motion_key(), session.motion_key) || !read(in.scene(), session.scene) ||
+      !read(in.rig(), session.rig))
+    return Reject::Malformed;
   return ifValid(std::move(session));
+}
+
+/// A state of so many movables and doors with everything zero: what a keyframe differs from.
+WorldState blank(std::size_t movables, std::size_t doors) {
+  WorldState state;
+  state.movables.resize(movables);
+  state.doors.resize(doors);
+  for (Movable& movable : state.movables) movable = {.attitude = {}, .resting = false};
+  return state;
+}
+
+DecodedControl read(const wire::Keyframe& in) {
+  if (in.movables() > kMaxMovables || in.doors() > kMaxDoors) return Reject::Malformed;
+  Keyframe keyframe{in.number(), {}};
+  if (!in.has_world() || !readDifference(blank(in.movables(), in.doors()), in.world(), keyframe.world))
+    return Reject::Malformed;
+  return ifValid(std::move(keyframe));
+}
+
+bool read(const wire::FrameReport& in, FrameReport& frame) {
+  const auto limit = static_cast<std::uint64_t>(kMaxTimeNs);
+  if (in.draw_ns() > limit || in.fate() < 0 || in.fate() > wire::MISMATCH) return false;
+  frame = {in.number(),
+           static_cast<Fate>(in.fate()),
+           in.tick(),
+           in.hash(),
+           in.presented_server_ns(),
+           in.arrived_server_ns(),
+           static_cast<std::int64_t>(in.draw_ns())};
+  return true;
 }
 
 DecodedControl read(const wire::Report& in) {
@@ -117,16 +163,15 @@ DecodedControl read(const wire::Report& in) {
   ClientReport report;
   report.packets_received = in.packets_received();
   report.packets_lost = in.packets_lost();
-  report.frames.reserve(static_cast<std::size_t>(in.frames_size()));
-  for (const wire::Frame& frame : in.frames()) {
-    report.frames.push_back({frame.sequence(), frame.hash(), frame.presented_server_ns()});
-  }
+  report.frames.resize(static_cast<std::size_t>(in.frames_size()));
+  for (std::size_t i = 0; i < report.frames.size(); ++i)
+    if (!read(in.frames(static_cast<int>(i)), report.frames[i])) return Reject::Malformed;
   return ifValid(std::move(report));
 }
 
 DecodedControl read(const wire::Goodbye& in) {
   // Causes of a newer minor version are no longer known one by one: they end the connection all the same.
-  const bool known = in.cause() >= 0 && in.cause() <= wire::PROTOCOL;
+  const bool known = in.cause() >= 0 && in.cause() <= wire::KEY;
   return ifValid(Goodbye{in.reason(), known ? static_cast<GoodbyeCause>(in.cause()) : GoodbyeCause::Leaving});
 }
 
@@ -135,28 +180,28 @@ DecodedControl read(const wire::ModeRequest& in) {
   return ModeRequest{static_cast<Mode>(in.mode())};
 }
 
-}  // namespace
+DecodedControl readTunnelled(const std::string& in) {
+  const auto bytes = std::as_bytes(std::span(in));
+  return ifValid(Tunnelled{{bytes.begin(), bytes.end()}});
+}
 
-std::vector<std::byte> encodeControl(const Hello& hello) {
-  assert(isValid(hello));
-  wire::ControlMessage message;
+void write(const Hello& hello, wire::ControlMessage& message) {
   wire::Hello& out = *message.mutable_hello();
   out.set_major(hello.major);
   out.set_minor(hello.minor);
-  out.set_eye(hello.eye);
-  out.set_software(hello.software);
-  return frame(message);
+  out.set_public_key(bytesOf(hello.public_key));
+  out.set_keyed(hello.keyed);
 }
 
-std::vector<std::byte> encodeControl(const SessionConfig& welcome) {
-  assert(isValid(welcome));
-  wire::ControlMessage message;
+void write(const Join& join, wire::ControlMessage& message) {
+  message.mutable_join()->set_eye(join.eye);
+  message.mutable_join()->set_software(join.software);
+}
+
+void write(const SessionConfig& welcome, wire::ControlMessage& message) {
   wire::Welcome& out = *message.mutable_welcome();
-  out.set_major(kWireMajor);
-  out.set_minor(kWireMinor);
   out.set_session_id(welcome.session_id);
   out.set_client_id(welcome.client_id);
-  out.set_client_token(welcome.client_token);
   write(welcome.scene, *out.mutable_scene());
   out.set_rig_name(welcome.rig.name);
   for (const RigField& field : rigFields()) {
@@ -165,38 +210,74 @@ std::vector<std::byte> encodeControl(const SessionConfig& welcome) {
     measure.set_value(welcome.rig.*(field.value));
   }
   out.set_period_ns(static_cast<std::uint64_t>(welcome.period_ns));
+  out.set_frame_ns(static_cast<std::uint64_t>(welcome.frame_ns));
   out.set_udp_port(welcome.udp_port);
-  return frame(message);
+  out.set_motion_key(bytesOf(welcome.motion_key));
+  out.set_dofs(welcome.form.dofs);
+  out.set_compact(welcome.form.compact);
+  out.mutable_still()->Assign(welcome.form.still.begin(), welcome.form.still.end());
+  if (!welcome.multicast) return;
+  out.set_multicast_address(welcome.multicast->address);
+  out.set_multicast_port(welcome.multicast->port);
 }
 
-std::vector<std::byte> encodeControl(const ClientReport& report) {
-  assert(isValid(report));
-  wire::ControlMessage message;
+void write(const Keyframe& keyframe, wire::ControlMessage& message) {
+  wire::Keyframe& out = *message.mutable_keyframe();
+  const std::size_t movables = keyframe.world.movables.size();
+  const std::size_t doors = keyframe.world.doors.size();
+  out.set_number(keyframe.number);
+  out.set_movables(static_cast<std::uint32_t>(movables));
+  out.set_doors(static_cast<std::uint32_t>(doors));
+  writeDifference(blank(movables, doors), keyframe.world, *out.mutable_world());
+}
+
+void write(const KeyframeRequest&, wire::ControlMessage& message) {
+  message.mutable_keyframe_request();
+}
+
+void write(const ClientReport& report, wire::ControlMessage& message) {
   wire::Report& out = *message.mutable_report();
   out.set_packets_received(report.packets_received);
   out.set_packets_lost(report.packets_lost);
-  for (const FrameReport& frame_report : report.frames) {
-    wire::Frame& frame_out = *out.add_frames();
-    frame_out.set_sequence(frame_report.sequence);
-    frame_out.set_hash(frame_report.hash);
-    frame_out.set_presented_server_ns(frame_report.presented_server_ns);
+  for (const FrameReport& frame : report.frames) {
+    wire::FrameReport& told = *out.add_frames();
+    told.set_number(frame.number);
+    told.set_fate(static_cast<wire::Fate>(frame.fate));
+    told.set_tick(frame.tick);
+    told.set_hash(frame.hash);
+    told.set_presented_server_ns(frame.presented_server_ns);
+    told.set_arrived_server_ns(frame.arrived_server_ns);
+    told.set_draw_ns(static_cast<std::uint64_t>(frame.draw_ns));
   }
-  return frame(message);
 }
 
-std::vector<std::byte> encodeControl(const Goodbye& goodbye) {
-  assert(isValid(goodbye));
-  wire::ControlMessage message;
+void write(const ModeRequest& request, wire::ControlMessage& message) {
+  message.mutable_mode_request()->set_mode(static_cast<std::uint32_t>(request.mode));
+}
+
+void write(const Tunnelled& tunnelled, wire::ControlMessage& message) {
+  message.set_datagram(bytesOf(tunnelled.body));
+}
+
+void write(const Goodbye& goodbye, wire::ControlMessage& message) {
   message.mutable_goodbye()->set_reason(goodbye.reason);
   message.mutable_goodbye()->set_cause(static_cast<wire::GoodbyeCause>(goodbye.cause));
-  return frame(message);
 }
 
-std::vector<std::byte> encodeControl(const ModeRequest& request) {
-  assert(isValid(request));
-  wire::ControlMessage message;
-  message.mutable_mode_request()->set_mode(static_cast<std::uint32_t>(request.mode));
-  return frame(message);
+}  // namespace
+
+void encodeControl(const ControlMessage& message, std::vector<std::byte>& out) {
+  wire::ControlMessage coded;
+  std::visit(
+      [&](const auto& body) {
+        assert(isValid(body));
+        write(body, coded);
+      },
+      message);
+  const std::size_t size = coded.ByteSizeLong();
+  const std::size_t start = out.size();
+  out.resize(start + size);
+  coded.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(out.data() + start));
 }
 
 DecodedControl decodeControl(std::span<const std::byte> bytes) {
@@ -206,14 +287,22 @@ DecodedControl decodeControl(std::span<const std::byte> bytes) {
   switch (message.body_case()) {
     case wire::ControlMessage::kHello:
       return read(message.hello());
+    case wire::ControlMessage::kJoin:
+      return read(message.join());
     case wire::ControlMessage::kWelcome:
       return read(message.welcome());
+    case wire::ControlMessage::kKeyframe:
+      return read(message.keyframe());
+    case wire::ControlMessage::kKeyframeRequest:
+      return KeyframeRequest{};
     case wire::ControlMessage::kReport:
       return read(message.report());
-    case wire::ControlMessage::kGoodbye:
-      return read(message.goodbye());
     case wire::ControlMessage::kModeRequest:
       return read(message.mode_request());
+    case wire::ControlMessage::kDatagram:
+      return readTunnelled(message.datagram());
+    case wire::ControlMessage::kGoodbye:
+      return read(message.goodbye());
     case wire::ControlMessage::BODY_NOT_SET:
       break;
   }

@@ -5,23 +5,21 @@
 #include <variant>
 #include <vector>
 
-#include "common/wire/Envelope.h"
-#include "common/wire/Packets.h"
+#include "common/wire/Messages.h"
+#include "common/wire/Reject.h"
 
 namespace coherency {
 
-using DecodedControl = std::variant<Reject, Hello, SessionConfig, ClientReport, Goodbye, ModeRequest>;
+using ControlMessage = std::variant<Hello, Join, SessionConfig, Keyframe, KeyframeRequest, ClientReport,
+                                    ModeRequest, Tunnelled, Goodbye>;
+using DecodedControl = std::variant<Reject, ControlMessage>;
 
-/// The message with its length before it, ready for the stream (ControlFraming.h). A SessionConfig travels as
-/// Welcome. Precondition: isValid() of what is given.
-std::vector<std::byte> encodeControl(const Hello& hello);
-std::vector<std::byte> encodeControl(const SessionConfig& welcome);
-std::vector<std::byte> encodeControl(const ClientReport& report);
-std::vector<std::byte> encodeControl(const Goodbye& goodbye);
-std::vector<std::byte> encodeControl(const ModeRequest& request);
+/// Appends the message, not sealed and without its length. A SessionConfig travels as Welcome. Precondition:
+/// isValid() of what is given.
+void encodeControl(const ControlMessage& message, std::vector<std::byte>& out);
 
-/// One message as ControlFraming gives it out; any bytes. What comes out is valid. A Welcome of another major
-/// version is Reject::Version; a Hello of another comes out with nothing but its version.
+/// One message, opened; any bytes. What comes out is valid. A Hello of another major version comes out with
+/// nothing but its number.
 DecodedControl decodeControl(std::span<const std::byte> message);
 
 }  // namespace coherency

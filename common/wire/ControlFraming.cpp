@@ -12,8 +12,8 @@ void ControlFraming::feed(std::span<const std::byte> bytes) {
   buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
 }
 
-std::optional<std::span<const std::byte>> ControlFraming::next() {
-  const auto unread = std::span<const std::byte>(buffer_).subspan(read_);
+std::optional<std::span<std::byte>> ControlFraming::next() {
+  const auto unread = std::span(buffer_).subspan(read_);
   if (oversized_ || unread.size() < kControlPrefix) return std::nullopt;
   std::uint32_t length = 0;
   for (const std::byte b : unread.first(kControlPrefix))

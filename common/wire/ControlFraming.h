@@ -16,9 +16,9 @@ inline constexpr std::size_t kControlPrefix = 4;  ///< the length: uint32, big-e
 class ControlFraming {
  public:
   void feed(std::span<const std::byte> bytes);
-  /// The next whole message, good until the next call of either; nullopt when more bytes are needed, and for
-  /// ever after a length beyond kMaxControlMessage.
-  std::optional<std::span<const std::byte>> next();
+  /// The next whole message, to be opened where it lies, good until the next call of either; nullopt when
+  /// more bytes are needed, and for ever after a length beyond kMaxControlMessage.
+  std::optional<std::span<std::byte>> next();
 
   bool oversized() const { return oversized_; }
   /// A stream that ends now was cut off within a message.

@@ -6,33 +6,39 @@
 #include <variant>
 #include <vector>
 
-#include "common/wire/Envelope.h"
+#include "common/wire/KeyframeStore.h"
 #include "common/wire/Packets.h"
+#include "common/wire/Reject.h"
 
 namespace coherency {
 
 using DecodedDatagram = std::variant<Reject, MotionPacket, ClockProbe, ClockReply>;
 
-/// Domain types <-> sealed datagrams (docs/wire.md). Keeps its working memory, so that steady motion
-/// allocates nothing but a decoded packet's own vector. One thread each.
+/// Domain types <-> datagrams' bodies (docs/wire.md), which are sealed elsewhere (SealedDatagram.h). Keeps
+/// its working memory, so that steady motion allocates nothing but a decoded packet's own vectors. One thread
+/// each.
 class DatagramCodec {
  public:
-  DatagramCodec();
+  /// `form`: the session's; what has no samples in it needs none.
+  explicit DatagramCodec(const SampleForm& form = {});
   ~DatagramCodec();
   DatagramCodec(const DatagramCodec&) = delete;
   DatagramCodec& operator=(const DatagramCodec&) = delete;
 
-  /// Replaces what `out` held. Precondition: isValid() of what is given. Of a packet's previous samples as
-  /// many are sent as fit into kMaxDatagram.
-  void encode(const MotionPacket& packet, std::vector<std::byte>& out);
+  /// Appends the body. Preconditions: isValid() of what is given; `keyframe` is the packet's, and all samples
+  /// have the session's form. What has no room in kMaxDatagramBody is left out: first the oldest of the
+  /// previous samples, then the oldest frames.
+  void encode(const MotionPacket& packet, const WorldState& keyframe, std::vector<std::byte>& out);
   void encode(const ClockProbe& probe, std::vector<std::byte>& out);
   void encode(const ClockReply& reply, std::vector<std::byte>& out);
 
-  /// Any bytes; what comes out is valid.
-  DecodedDatagram decode(std::span<const std::byte> datagram);
+  /// Any bytes; what comes out is valid. Reject::NoKeyframe: motion that counts from a keyframe that is not
+  /// among these.
+  DecodedDatagram decode(std::span<const std::byte> body, const KeyframeStore& keyframes);
 
  private:
   struct Memory;
+  SampleForm form_;
   std::unique_ptr<Memory> memory_;
 };
 

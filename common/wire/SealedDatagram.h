@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/wire/Aead.h"
-#include "common/wire/Envelope.h"
 #include "common/wire/Key.h"
+#include "common/wire/Reject.h"
 #include "common/wire/ReplayWindow.h"
 
 namespace coherency {
@@ -17,7 +17,9 @@ namespace coherency {
 /// Numbers are big-endian, the header is authenticated, channel and counter are the nonce. kMaxDatagram is
 /// the size of all of it.
 inline constexpr std::size_t kSealedHeader = 16;
+inline constexpr std::size_t kMaxDatagramBody = kMaxDatagram - kSealedHeader - kSealTag;
 inline constexpr std::uint8_t kSealedMajor = 3;
+inline constexpr std::uint32_t kMotionChannel = 0;  ///< motion, to everybody; the others are clients' ids
 
 struct DatagramHeader {
   std::uint32_t channel =

@@ -11,10 +11,9 @@
 
 namespace coherency {
 
-/// Control messages say by their first byte how the rest is to be read. In the clear go openings, and
-/// goodbyes before there are keys; a sealed one is kind | encrypted body | tag, 16 bytes. The nonce is four
-/// zeros and the message's number in its direction, from 0, big-endian; the kind is authenticated.
-inline constexpr std::byte kClearMessage{0};
+/// A sealed control message is kind | encrypted body | tag, 16 bytes. The nonce is four zeros and the
+/// message's number in its direction, from 0, big-endian; the kind is authenticated. In the clear, without a
+/// kind, go hellos, and goodbyes before there are keys: bytes of protobuf, of which none begins with 1.
 inline constexpr std::byte kSealedMessage{1};
 
 /// Seals what one side sends on one connection, in order. There are no copies: two sealers of one key would

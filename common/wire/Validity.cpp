@@ -4,6 +4,11 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
+
+#include <arpa/inet.h>
+
+#include "common/wire/SealedDatagram.h"
 
 namespace coherency {
 namespace {
@@ -44,8 +49,20 @@ const std::array<UnitRange, kDofCount>& unitRanges() {
   return ranges;
 }
 
+/// Nothing or "#rrggbb"; which digits, is for who mixes it to say.
+bool isColour(std::string_view colour) {
+  return isPlainText(colour) && colour.size() <= 7;
+}
+
 bool isEye(std::string_view eye) {
   return eye == "left" || eye == "right" || eye == "both" || eye == "mono";
+}
+
+/// 224.0.0.0/4
+bool isMulticastAddress(const std::string& address) {
+  in_addr bytes{};
+  return isPlainText(address) && ::inet_pton(AF_INET, address.c_str(), &bytes) == 1 &&
+         IN_MULTICAST(ntohl(bytes.s_addr));
 }
 
 bool isRig(const Rig& rig) {
@@ -69,28 +86,41 @@ bool isValid(const MotionSample& sample) {
   return true;
 }
 
+bool isValid(const FrameState& frame) {
+  return isValid(frame.sample) && isValid(frame.world);
+}
+
 bool isValid(const MotionPacket& packet) {
-  if (packet.session_id == 0 || packet.previous.size() > kMaxPrevious) return false;
+  if (packet.keyframe == 0 || packet.previous.size() > kMaxPrevious || packet.frames.size() > kMaxFrames)
+    return false;
   if (!isValid(packet.sample) || !isValid(packet.world)) return false;
   std::uint64_t later = packet.sample.sequence;
   for (const MotionSample& sample : packet.previous) {
     if (sample.sequence >= later || !isValid(sample)) return false;
     later = sample.sequence;
   }
+  for (std::size_t i = 0; i < packet.frames.size(); ++i) {
+    const FrameState& frame = packet.frames[i];
+    if (!isValid(frame) || (i > 0 && frame.number >= packet.frames[i - 1].number)) return false;
+  }
   return true;
 }
 
 bool isValid(const ClockProbe& probe) {
-  return probe.session_id != 0 && probe.client_id != 0 && isTime(probe.t0_client_ns);
+  return isTime(probe.t0_client_ns) && probe.way <= MotionWay::Tcp;
 }
 
 bool isValid(const ClockReply& reply) {
-  return reply.session_id != 0 && isTime(reply.t0_client_ns) && isTime(reply.t1_server_ns) &&
-         isTime(reply.t2_server_ns) && reply.t1_server_ns <= reply.t2_server_ns;
+  return isTime(reply.t0_client_ns) && isTime(reply.t1_server_ns) && isTime(reply.t2_server_ns) &&
+         reply.t1_server_ns <= reply.t2_server_ns;
 }
 
 bool isValid(const Hello& hello) {
-  return hello.major != kWireMajor || (isEye(hello.eye) && isPlainText(hello.software));
+  return hello.major == kWireMajor;
+}
+
+bool isValid(const Join& join) {
+  return isEye(join.eye) && isPlainText(join.software);
 }
 
 bool isValid(const SceneDescription& scene) {
@@ -98,8 +128,8 @@ bool isValid(const SceneDescription& scene) {
                       (!scene.robot || (isPlace(scene.robot->start) && isPlace(scene.robot->workplace)));
   std::int64_t parts = 0;
   for (const ObjectPlacement& object : scene.objects) {
-    if (!isPlainText(object.kind) || !isPlainText(object.name) || !isPlainText(object.colour) ||
-        !isPlace(object.place) || object.count < 0)
+    if (!isPlainText(object.kind) || object.kind.size() > kMaxKind || !isPlainText(object.name) ||
+        !isColour(object.colour) || !isPlace(object.place) || object.count < 0)
       return false;
     parts += object.count;
   }
@@ -107,25 +137,52 @@ bool isValid(const SceneDescription& scene) {
          parts <= kMaxSceneParts;
 }
 
+bool isValid(const SampleForm& form) {
+  if ((form.dofs & ~kAllDofs) != 0) return false;
+  for (std::size_t i = 0; i < kDofCount; ++i)
+    if (!unitRanges()[i].contains(form.still[i])) return false;
+  return true;
+}
+
 bool isValid(const SessionConfig& session) {
   return session.session_id != 0 && session.client_id != 0 && session.udp_port != 0 &&
-         session.period_ns >= kMinPeriodNs && session.period_ns <= kMaxPeriodNs && isValid(session.scene) &&
-         isRig(session.rig);
+         session.period_ns >= kMinPeriodNs && session.period_ns <= kMaxPeriodNs &&
+         session.frame_ns >= kMinFrameNs && session.frame_ns <= kMaxPeriodNs && isValid(session.scene) &&
+         isRig(session.rig) && isValid(session.form) &&
+         (!session.multicast ||
+          (isMulticastAddress(session.multicast->address) && session.multicast->port != 0));
+}
+
+bool isValid(const Keyframe& keyframe) {
+  return keyframe.number != 0 && isValid(keyframe.world);
+}
+
+bool isValid(const Tunnelled& tunnelled) {
+  return !tunnelled.body.empty() && tunnelled.body.size() <= kMaxDatagramBody;
 }
 
 bool isValid(const ClientReport& report) {
   return report.frames.size() <= kMaxReportFrames &&
          std::all_of(report.frames.begin(), report.frames.end(), [](const FrameReport& frame) {
-           return frame.sequence != 0 && isTime(frame.presented_server_ns);
+           return frame.fate <= Fate::Mismatch && isTime(frame.presented_server_ns) &&
+                  isTime(frame.arrived_server_ns) && isTime(frame.draw_ns);
          });
 }
 
 bool isValid(const Goodbye& goodbye) {
-  return isPlainText(goodbye.reason) && goodbye.cause <= GoodbyeCause::Protocol;
+  return isPlainText(goodbye.reason) && goodbye.cause <= GoodbyeCause::Key;
 }
 
 bool isValid(const ModeRequest& request) {
   return request.mode <= Mode::Robot;
+}
+
+bool isValid(const Announcement& announcement) {
+  return isPlainText(announcement.host) && isSceneName(announcement.scene) && announcement.port != 0;
+}
+
+bool hashHolds(const FrameState& frame) {
+  return frame.hash == stateHash(frame.world, frame.sample);
 }
 
 bool hashHolds(const MotionPacket& packet) {

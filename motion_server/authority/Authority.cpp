@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "common/motion/CompactCode.h"
+
 namespace coherency {
 
 Authority::Authority(const AuthorityConfig& config, const World& world, Master& master)
@@ -18,9 +20,16 @@ std::optional<Authority::Result> Authority::sample(std::int64_t elapsed_ns, std:
   std::optional<MasterReading> reading = master_.read(elapsed_ns, state_);
   if (!reading) return std::nullopt;
   reading->valid &= config_.dofs;
-  const MotionSample taken = gate_.admit(*reading, ++sequence_, server_time_ns);
+  MotionSample taken = gate_.admit(*reading, ++sequence_, server_time_ns);
+  if (config_.compact) taken = compacted(taken);
   for (std::uint64_t i = 0; i < ticks_elapsed; ++i) world_.step(state_, taken, config_.period_ns);
   return Result{state_, taken};
+}
+
+std::array<std::int32_t, kDofCount> Authority::still() const {
+  SampleGate gate(neutralPosture(world_.model().master.rig));
+  const MotionSample sample = gate.admit({.valid = 0}, 1, 0);
+  return config_.compact ? compacted(sample).units : sample.units;
 }
 
 bool Authority::switchTo(Mode mode) {

@@ -16,6 +16,7 @@ struct AuthorityConfig {
   DofMask dofs =
       kAllDofs;  ///< that the scene needs; the others keep to the neutral posture and are never valid
   std::int64_t period_ns = 1'000'000;
+  bool compact = false;  ///< samples are such as the compact encoding can tell (CompactCode.h)
 };
 
 /// The one place where a session's state changes (design, "The shared world"): reads the master, lets its
@@ -37,6 +38,9 @@ class Authority {
 
   /// From the next sample on. A mode the world does not have is passed over: false.
   bool switchTo(Mode mode);
+
+  /// Where the DOFs stand that nothing was measured of yet, or that the scene does not need.
+  std::array<std::int32_t, kDofCount> still() const;
 
   const WorldState& state() const { return state_; }
   const std::array<std::uint64_t, kDofCount>& refused() const { return gate_.refused(); }

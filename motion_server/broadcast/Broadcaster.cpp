@@ -5,19 +5,21 @@
 #include <cstring>
 #include <map>
 #include <mutex>
-#include <random>
 #include <stdexcept>
 #include <thread>
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/multicast.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/ip/v6_only.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
+#include <netinet/tcp.h>
 
-#include "common/wire/ControlCodec.h"
 #include "common/wire/Validity.h"
+#include "motion_server/broadcast/KeyframeSource.h"
 #include "motion_server/broadcast/MotionSender.h"
 #include "motion_server/broadcast/SessionHost.h"
 
@@ -32,6 +34,7 @@ using boost::system::error_code;
 constexpr auto kSweepEvery = std::chrono::milliseconds(50);
 constexpr auto kAcceptAgain = std::chrono::milliseconds(100);
 constexpr std::size_t kMaxOutgoing = 256 * 1024;  ///< control bytes a client may leave unread
+constexpr int kMaxUnsent = 2048;                  ///< bytes that the system holds of one connection
 constexpr int kDatagramsAtOnce = 64;              ///< then the connections have their turn
 
 std::string place(const std::string& address, std::uint16_t port) {
@@ -86,6 +89,21 @@ struct Ports {
   udp::socket udp_socket;
 };
 
+/// Sending to a group needs to be told through which interface; one that the address to listen on names.
+void sendToGroups(udp::socket& socket, const asio::ip::address& from) {
+  error_code ignored;  // what cannot be set makes the group silent, and clients that do not hear it say so
+  socket.set_option(asio::ip::multicast::hops(1), ignored);
+  socket.set_option(asio::ip::multicast::enable_loopback(true), ignored);
+  if (from.is_v4() && !from.is_unspecified())
+    socket.set_option(asio::ip::multicast::outbound_interface(from.to_v4()), ignored);
+}
+
+/// So that motion over TCP waits here, where a newer packet takes its place, and not in the system's buffers.
+void keepBacklogShort(tcp::socket& socket) {
+  const int unsent = kMaxUnsent;
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &unsent, sizeof unsent);
+}
+
 UdpAddress opaque(const udp::endpoint& endpoint) {
   UdpAddress address;
   address.size = endpoint.size();
@@ -116,11 +134,6 @@ BroadcastConfig checked(const BroadcastConfig& config) {
   return config;
 }
 
-std::uint64_t hardwareRandom() {
-  static thread_local std::random_device device;  // getrandom() or the processor's own
-  return std::uniform_int_distribution<std::uint64_t>()(device);
-}
-
 }  // namespace
 
 class Broadcaster::Impl {
@@ -132,9 +145,14 @@ class Broadcaster::Impl {
     session.udp_port = port_ = ports_.tcp_acceptor.local_endpoint().port();
     session.session_id = session.client_id = 1;  // drawn by the host; any will do for the check
     if (!isValid(session)) throw std::invalid_argument("scene, rig or period of the session is out of range");
-    host_ = std::make_unique<SessionHost>(config, session, hardwareRandom);
-    sender_ = std::make_unique<MotionSender>(ports_.udp_socket.native_handle(), host_->sessionId(),
-                                             config.redundancy);
+    host_ = std::make_unique<SessionHost>(config, session, randomKey);
+    MotionSenderConfig sending{session.form, host_->motionKey(), config.redundancy, {}};
+    if (session.multicast) {
+      sendToGroups(ports_.udp_socket, asio::ip::make_address(config.address));
+      sending.group =
+          opaque(udp::endpoint(asio::ip::make_address(session.multicast->address), session.multicast->port));
+    }
+    sender_ = std::make_unique<MotionSender>(sending, ports_.udp_socket.native_handle(), keyframes_);
     accept();
     awaitDatagrams();
     sweep();
@@ -144,26 +162,29 @@ class Broadcaster::Impl {
   ~Impl() {
     io_.stop();
     thread_.join();
-    const auto goodbye = encodeControl(Goodbye{"the server ends", GoodbyeCause::Leaving});
     for (const auto& [id, connection] : connections_) {
       if (!connection->writing.empty() || connection->ends) continue;
+      const auto goodbye = host_->tell(id, Goodbye{"the server ends", GoodbyeCause::Leaving});
       error_code ignored;
       connection->socket.non_blocking(true, ignored);
       connection->socket.write_some(asio::buffer(goodbye), ignored);
     }
   }
 
-  void publish(const WorldState& world, const MotionSample& sample) { sender_->publish(world, sample); }
+  void publish(const WorldState& world, const MotionSample& sample, const std::optional<FrameState>& frame) {
+    const bool tunnels = sender_->publish(world, sample, frame);
+    if (tunnels && !tunnelling_.exchange(true)) asio::post(io_, [this] { tunnel(); });
+  }
   std::uint16_t port() const { return port_; }
   std::optional<Mode> takeModeRequest() {
     const int mode = requested_mode_.exchange(kNoMode);
     return mode == kNoMode ? std::nullopt : std::optional(static_cast<Mode>(mode));
   }
 
-  template <class Read>
-  auto withHost(Read read) const {
+  template <class Ask>
+  auto withHost(Ask ask) {
     const std::lock_guard lock(mutex_);
-    return read(*host_);
+    return ask(*host_);
   }
 
  private:
@@ -186,6 +207,7 @@ class Broadcaster::Impl {
     const auto remote = socket.remote_endpoint(error);
     if (error) return;
     socket.set_option(tcp::no_delay(true), error);
+    keepBacklogShort(socket);
     auto connection = std::make_shared<Connection>(std::move(socket));
     std::optional<std::uint32_t> surplus;
     {
@@ -220,9 +242,46 @@ class Broadcaster::Impl {
     }
     if (reaction.mode) requested_mode_.store(static_cast<int>(*reaction.mode));
     connection->ends = reaction.goodbye;
-    connection->waiting.insert(connection->waiting.end(), reaction.send.begin(), reaction.send.end());
+    send(connection, reaction.send);
+    if (reaction.wants_keyframes) sayKeyframes(connection);
+  }
+
+  void send(const ConnectionPtr& connection, const std::vector<std::byte>& bytes) {
+    connection->waiting.insert(connection->waiting.end(), bytes.begin(), bytes.end());
     if (connection->waiting.size() > kMaxOutgoing) return drop(connection->id);
     write(connection);
+  }
+
+  void tell(const ConnectionPtr& connection, const ControlMessage& message) {
+    send(connection, withHost([&](SessionHost& host) { return host.tell(connection->id, message); }));
+  }
+
+  void sayKeyframes(const ConnectionPtr& connection) {
+    for (const Keyframe& keyframe : keyframes_.needed()) tell(connection, keyframe);
+  }
+
+  /// A keyframe that is new goes to everybody.
+  void tendKeyframes() {
+    keyframes_.allHave(withHost([](SessionHost& host) { return host.keyframeOfAll(); }));
+    const std::uint32_t newest = keyframes_.newest();
+    if (newest == said_keyframe_) return;
+    said_keyframe_ = newest;
+    for (const std::uint32_t id : withHost([](SessionHost& host) { return host.welcomedClients(); }))
+      if (const auto found = connections_.find(id); found != connections_.end()) sayKeyframes(found->second);
+  }
+
+  /// The newest motion, to those whose way it is and who have taken what came before: nothing queues.
+  void tunnel() {
+    tunnelling_.store(false);
+    const Tunnelled motion{sender_->newestBody()};
+    const auto ids = withHost([](SessionHost& host) { return host.tunnels(); });
+    for (const std::uint32_t id : ids) {
+      const auto found = connections_.find(id);
+      if (found == connections_.end()) continue;
+      const bool idle = found->second->writing.empty() && found->second->waiting.empty();
+      withHost([&](SessionHost& host) { return host.countTunnelled(id, idle), 0; });
+      if (idle) tell(found->second, motion);
+    }
   }
 
   void write(const ConnectionPtr& connection) {
@@ -255,6 +314,7 @@ class Broadcaster::Impl {
   void sweep() {
     for (const std::uint32_t id : withHost([this](SessionHost& host) { return host.expired(now()); }))
       drop(id);
+    tendKeyframes();
     sweep_timer_.expires_after(kSweepEvery);
     sweep_timer_.async_wait([this](const error_code&) { sweep(); });
   }
@@ -277,17 +337,16 @@ class Broadcaster::Impl {
     }
   }
 
-  void onDatagram(std::span<const std::byte> bytes, const udp::endpoint& from) {
+  void onDatagram(std::span<std::byte> bytes, const udp::endpoint& from) {
     const ServerTime arrived = now();
-    std::optional<ClockReply> reply;
     {
       const std::lock_guard lock(mutex_);
-      reply = host_->datagram(bytes, opaque(from), arrived);
+      auto answer = host_->datagram(bytes, opaque(from), arrived);
       refreshTargets();
+      if (!answer) return;
+      answer->reply.t2_server_ns = now().ns;
+      host_->encode(*answer, reply_bytes_);
     }
-    if (!reply) return;
-    reply->t2_server_ns = now().ns;
-    codec_.encode(*reply, reply_bytes_);
     error_code ignored;
     ports_.udp_socket.send_to(asio::buffer(reply_bytes_), from, 0, ignored);
   }
@@ -305,15 +364,17 @@ class Broadcaster::Impl {
   asio::steady_timer accept_timer_{io_};
   asio::steady_timer sweep_timer_{io_};
   std::uint16_t port_ = 0;
-  std::unique_ptr<MotionSender> sender_;
   std::map<std::uint32_t, ConnectionPtr> connections_;
-  DatagramCodec codec_;
   std::vector<std::byte> reply_bytes_;
   std::uint64_t targets_version_ = 0;
+  std::uint32_t said_keyframe_ = 0;
+  KeyframeSource keyframes_;
+  std::atomic<bool> tunnelling_{false};  // the socket thread has been asked to, and has not begun
   static constexpr int kNoMode = -1;
   std::atomic<int> requested_mode_{kNoMode};  // a Mode, from the socket thread to the sampling thread
-  mutable std::mutex mutex_;                  // guards host_; publish() does not need it
+  std::mutex mutex_;                          // guards host_; publish() does not need it
   std::unique_ptr<SessionHost> host_;
+  std::unique_ptr<MotionSender> sender_;
   std::thread thread_;
 };
 
@@ -321,8 +382,12 @@ Broadcaster::Broadcaster(const BroadcastConfig& config, const SessionConfig& ses
     : impl_(std::make_unique<Impl>(config, session, clock)) {}
 Broadcaster::~Broadcaster() = default;
 
-void Broadcaster::publish(const WorldState& world, const MotionSample& sample) {
-  impl_->publish(world, sample);
+void Broadcaster::publish(const WorldState& world, const MotionSample& sample,
+                          const std::optional<FrameState>& frame) {
+  impl_->publish(world, sample, frame);
+}
+std::vector<FrameReport> Broadcaster::takeReports() {
+  return impl_->withHost([](SessionHost& host) { return host.takeReports(); });
 }
 std::optional<Mode> Broadcaster::takeModeRequest() {
   return impl_->takeModeRequest();
@@ -332,6 +397,9 @@ std::uint16_t Broadcaster::port() const {
 }
 std::vector<ClientStatus> Broadcaster::clients() const {
   return impl_->withHost([](const SessionHost& host) { return host.clients(); });
+}
+std::size_t Broadcaster::present() const {
+  return impl_->withHost([](const SessionHost& host) { return host.welcomedClients().size(); });
 }
 std::uint64_t Broadcaster::served() const {
   return impl_->withHost([](const SessionHost& host) { return host.served(); });

@@ -1,13 +1,10 @@
 #include "motion_server/sampling/SamplingThread.h"
 
-#include <cerrno>
 #include <cstdlib>
-#include <system_error>
 #include <utility>
 
 #include <pthread.h>
 #include <sched.h>
-#include <time.h>
 
 #include "common/sync/Clock.h"
 #include "motion_server/sampling/SamplingSchedule.h"
@@ -17,15 +14,6 @@ namespace coherency {
 namespace {
 
 constexpr int kPriority = 50;  // below the kernel's own interrupt threads' upper half
-
-void sleepUntil(std::int64_t deadline_ns) {
-  timespec until{};
-  until.tv_sec = static_cast<time_t>(deadline_ns / 1'000'000'000);
-  until.tv_nsec = static_cast<long>(deadline_ns % 1'000'000'000);
-  int code = EINTR;
-  while (code == EINTR) code = clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
-  if (code != 0) throw std::system_error(code, std::generic_category(), "sampling thread: clock_nanosleep");
-}
 
 bool askForRealTime() {
   sched_param parameters{};
@@ -64,7 +52,7 @@ void SamplingThread::loop() {
   std::int64_t woke_before = 0;
   while (!stop_.load()) {
     const std::int64_t deadline = schedule.nextDeadline();
-    sleepUntil(deadline);
+    clock.sleepUntil(deadline);
     const std::int64_t now = clock.nowNs();
     const SamplingSchedule::Due due = schedule.take(now);
     jitter_.lateness.add(now - deadline);
@@ -76,7 +64,7 @@ void SamplingThread::loop() {
     jitter_.missed.store(schedule.missed(), std::memory_order_relaxed);
     woke_before = now;
     const auto elapsed = static_cast<std::int64_t>(due.tick) * period_ns_;
-    if (!callback_({due.tick, elapsed, now, due.ticks_elapsed})) return;
+    if (!callback_({due.tick, elapsed, schedule.deadline(due.tick), now, due.ticks_elapsed})) return;
   }
 }
 

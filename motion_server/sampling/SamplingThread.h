@@ -14,6 +14,7 @@ namespace coherency {
 struct SamplingTick {
   std::uint64_t tick = 0;           ///< counts periods since the start, from 1
   std::int64_t elapsed_ns = 0;      ///< tick * period: the time to be sampled
+  std::int64_t due_ns = 0;          ///< when it should have woken
   std::int64_t now_ns = 0;          ///< when the thread really woke
   std::uint64_t ticks_elapsed = 0;  ///< since the last callback; more than 1: periods were missed
 };

@@ -134,6 +134,10 @@ void Renderer::setDisplay(const HmdProfile& hmd, EyeChoice eyes, double render_s
   if (hasLens(hmd, eyes)) gl_->distortion.emplace(hmd, eyes, render_scale);
 }
 
+void Renderer::finish() {
+  glFinish();
+}
+
 void Renderer::present(int width, int height) {
   if (gl_->distortion) {
     gl_->distort(width, height);

@@ -50,6 +50,8 @@ class Renderer {
   /// it; costs nothing where it has none. `render_scale` as pictureSize() has it. Throws what DistortionPass
   /// does.
   void setDisplay(const HmdProfile& hmd, EyeChoice eyes, double render_scale = 1.0);
+  /// Returns when all that was drawn is complete.
+  void finish();
   /// Resolves the target and copies it, or what the panels must show, to the window's framebuffer (0), scaled
   /// to fit `width` x `height`.
   void present(int width, int height);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include "common/wire/Validity.h"
 
@@ -10,6 +11,7 @@ namespace coherency {
 namespace {
 
 constexpr std::size_t kProbesRemembered = 32;
+constexpr std::uint64_t kMostLater = 1'000'000;  // samples after a frame's own: whatever the server says
 
 std::string seconds(std::int64_t ns) {
   std::string text = std::to_string(ns / 1'000'000'000) + "." + std::to_string(ns / 100'000'000 % 10);
@@ -18,29 +20,33 @@ std::string seconds(std::int64_t ns) {
 
 }  // namespace
 
-void LinkState::welcomed(const SessionConfig& session) {
+void LinkState::welcomed(const SessionConfig& session, const ConnectionKeys& keys) {
   const std::lock_guard lock(mutex_);
   if (!session_ || session_->session_id != session.session_id) {
     // Another server, another clock: nothing of the old one holds any longer.
     newest_.reset();
-    recent_.fill(std::nullopt);
-    for (auto& [tick, packet] : kept_) packet.reset();
-    offset_ = ClockSync();
     frames_.clear();
+    keyframes_.clear();
+    clocks_ = ClockSync();
+    reports_.clear();
+    codec_.emplace(session.form);
+    motion_opener_.emplace(session.motion_key, kMotionChannel);
   }
+  reply_opener_.emplace(keys.server_datagrams, session.client_id);
+  probe_sealer_.emplace(keys.client_datagrams, session.client_id);
   tracker_.restart();
   asked_.clear();
   session_ = session;
   refusal_.reset();
-  connected_ = true;
-  ++connections_;
+  stats_.connected = true;
+  ++stats_.connections;
   changed_.notify_all();
 }
 
 void LinkState::refused(const Goodbye& goodbye) {
   const std::lock_guard lock(mutex_);
   last_failure_ = goodbye.reason;
-  if (goodbye.cause == GoodbyeCause::Version) refusal_ = goodbye.reason;
+  if (goodbye.cause == GoodbyeCause::Version || goodbye.cause == GoodbyeCause::Key) refusal_ = goodbye.reason;
   changed_.notify_all();
 }
 
@@ -53,62 +59,117 @@ void LinkState::refuseVersion() {
 void LinkState::disconnected(const std::string& why) {
   const std::lock_guard lock(mutex_);
   last_failure_ = why;
-  connected_ = false;
+  stats_.connected = false;
 }
 
-ClockProbe LinkState::probe() {
+void LinkState::take(const Keyframe& keyframe) {
   const std::lock_guard lock(mutex_);
+  ++stats_.keyframes;
+  if (const auto field = keyframes_.add(keyframe)) stats_.differing_field = *field;
+}
+
+ClockProbe LinkState::probe(MotionWay way) {
   const ClientTime now{clock_.nowNs()};
   asked_.push_back(now.ns);
   if (asked_.size() > kProbesRemembered) asked_.pop_front();
-  return {session_->session_id, session_->client_id, session_->client_token, now.ns};
+  return {now.ns, keyframes_.newest(), way};
 }
 
-bool LinkState::datagram(std::span<const std::byte> bytes, ClientTime arrived) {
-  DecodedDatagram decoded = codec_.decode(bytes);
-  std::unique_lock lock(mutex_);
-  const std::uint64_t newest_before = newestSequence();
-  const bool ours = std::visit([&](auto& body) { return on(body, arrived); }, decoded);
-  if (!ours) ++rejected_;
-  const bool newer = newestSequence() != newest_before;
-  lock.unlock();  // so that whoever waits finds it open
-  if (newer) changed_.notify_all();
-  return ours;
+void LinkState::encodeProbe(MotionWay way, std::vector<std::byte>& datagram) {
+  const std::lock_guard lock(mutex_);
+  probe_sealer_->begin(datagram);
+  codec_->encode(probe(way), datagram);
+  probe_sealer_->seal(datagram);
 }
 
-bool LinkState::on(MotionPacket& packet, ClientTime arrived) {
-  if (!session_ || packet.session_id != session_->session_id) return false;
+Tunnelled LinkState::tunnelledProbe() {
+  const std::lock_guard lock(mutex_);
+  Tunnelled tunnelled;
+  codec_->encode(probe(MotionWay::Tcp), tunnelled.body);
+  return tunnelled;
+}
+
+LinkState::Heard LinkState::datagram(std::span<std::byte> bytes, ClientTime arrived) {
+  const std::lock_guard lock(mutex_);
+  const auto header = readHeader(bytes);
+  if (const auto* const reject = std::get_if<Reject>(&header)) return count(*reject);
+  if (!session_) return count(Reject::Forged);
+  const bool motion = std::get<DatagramHeader>(header).channel == kMotionChannel;
+  return take((motion ? motion_opener_ : reply_opener_)->open(bytes), arrived);
+}
+
+LinkState::Heard LinkState::tunnelled(const Tunnelled& tunnelled, ClientTime arrived) {
+  const std::lock_guard lock(mutex_);
+  return take(std::span<const std::byte>(tunnelled.body), arrived);
+}
+
+LinkState::Heard LinkState::take(std::variant<Reject, std::span<const std::byte>> opened,
+                                 ClientTime arrived) {
+  if (const auto* const reject = std::get_if<Reject>(&opened)) return count(*reject);
+  DecodedDatagram decoded = codec_->decode(std::get<std::span<const std::byte>>(opened), keyframes_);
+  return std::visit([&](auto& body) { return on(body, arrived); }, decoded);
+}
+
+LinkState::Heard LinkState::count(Reject reject) {
+  if (reject == Reject::NoKeyframe) {  // the server's, and early: the keyframe is on its way
+    ++stats_.without_keyframe;
+    return Heard::News;
+  }
+  if (reject == Reject::Replayed) {
+    ++stats_.replayed;
+    return Heard::Again;
+  }
+  ++stats_.rejected;
+  if (reject == Reject::Forged) ++stats_.forged;
+  return Heard::Nothing;
+}
+
+LinkState::Heard LinkState::on(MotionPacket& packet, ClientTime arrived) {
   tracker_.add(packet.sample.sequence, packet.previous);
   const ClientTime decoded{clock_.nowNs()};
-  remember(packet, arrived, decoded);
-  if (packet.sample.sequence > newestSequence()) newest_ = {std::move(packet), arrived, decoded};
-  return true;
+  bool news = false;
+  for (const FrameState& frame : packet.frames) {
+    const auto later = std::min(packet.sample.sequence - frame.sample.sequence, kMostLater);
+    const ServerTime sampled{packet.sample.server_time_ns -
+                             static_cast<std::int64_t>(later) * session_->period_ns};
+    news = frames_.add({frame, arrived, sampled}) || news;
+  }
+  if (!newest_ || packet.sample.sequence > newest_->packet.sample.sequence) {
+    newest_ = {std::move(packet), arrived, decoded};
+    news = true;
+  }
+  if (news) changed_.notify_all();
+  return Heard::News;
 }
 
-void LinkState::remember(const MotionPacket& packet, ClientTime arrived, ClientTime decoded) {
-  const ReceivedPacket received{
-      {packet.session_id, packet.sample, packet.world, packet.hash, {}}, arrived, decoded};
-  for (auto& [from, first] : kept_)
-    if (packet.world.tick >= from && (!first || packet.world.tick < first->packet.world.tick))
-      first = received;
-  auto& recent = recent_[packet.world.tick % kRecentPackets];
-  if (recent && recent->packet.world.tick >= packet.world.tick) return;  // late by a whole round
-  recent = received;
-}
-
-bool LinkState::on(const ClockReply& reply, ClientTime arrived) {
-  if (!session_ || reply.session_id != session_->session_id) return false;
+LinkState::Heard LinkState::on(const ClockReply& reply, ClientTime arrived) {
   const auto asked = std::find(asked_.begin(), asked_.end(), reply.t0_client_ns);
-  if (asked == asked_.end()) return false;  // never asked, or answered before
+  if (asked == asked_.end()) return count(Reject::Replayed);  // never asked, or answered before
   asked_.erase(asked);
-  return offset_.add({{reply.t0_client_ns}, {reply.t1_server_ns}, {reply.t2_server_ns}, arrived});
+  clocks_.add({{reply.t0_client_ns}, {reply.t1_server_ns}, {reply.t2_server_ns}, arrived});
+  return Heard::News;
+}
+
+void LinkState::setWay(MotionWay way) {
+  const std::lock_guard lock(mutex_);
+  stats_.way = way;
 }
 
 ClientReport LinkState::takeReport() {
   const std::lock_guard lock(mutex_);
-  ClientReport report{{frames_.begin(), frames_.end()}, tracker_.counts().received, tracker_.counts().lost};
-  frames_.clear();
+  ClientReport report{{reports_.begin(), reports_.end()}, tracker_.counts().received, tracker_.counts().lost};
+  reports_.clear();
   return report;
+}
+
+bool LinkState::takeKeyframeWish() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(keyframe_wished_, false);
+}
+
+void LinkState::requestKeyframe() {
+  const std::lock_guard lock(mutex_);
+  keyframe_wished_ = true;
 }
 
 SessionConfig LinkState::waitForSession(std::int64_t timeout_ns) const {
@@ -131,63 +192,77 @@ std::optional<ReceivedPacket> LinkState::newest() const {
   return newest_;
 }
 
-std::optional<ReceivedPacket> LinkState::atTick(std::uint64_t tick) const {
-  const std::lock_guard lock(mutex_);
-  const auto& recent = recent_[tick % kRecentPackets];
-  return recent && recent->packet.world.tick == tick ? recent : std::nullopt;
-}
-
-void LinkState::keepFirstFrom(const std::vector<std::uint64_t>& ticks) {
-  const std::lock_guard lock(mutex_);
-  std::map<std::uint64_t, std::optional<ReceivedPacket>> kept;
-  for (const std::uint64_t tick : ticks) {
-    const auto before = kept_.find(tick);
-    kept[tick] = before == kept_.end() ? std::nullopt : before->second;
-  }
-  kept_ = std::move(kept);
-}
-
-std::optional<ReceivedPacket> LinkState::firstFrom(std::uint64_t tick) const {
-  const std::lock_guard lock(mutex_);
-  const auto kept = kept_.find(tick);
-  return kept == kept_.end() ? std::nullopt : kept->second;
-}
-
 bool LinkState::waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const {
   std::unique_lock lock(mutex_);
   return changed_.wait_for(lock, std::chrono::nanoseconds(timeout_ns),
                            [&] { return newest_ && newest_->packet.world.tick >= tick; });
 }
 
+std::optional<ReceivedFrame> LinkState::nextFrame(std::uint64_t after, std::uint64_t stride,
+                                                  ServerTime earliest, std::int64_t draw_ns) const {
+  const std::lock_guard lock(mutex_);
+  return frames_.next(after, stride, earliest, draw_ns);
+}
+
+std::vector<ReceivedFrame> LinkState::framesBetween(std::uint64_t after, std::uint64_t before,
+                                                    std::uint64_t stride) const {
+  const std::lock_guard lock(mutex_);
+  return frames_.between(after, before, stride);
+}
+
+std::uint64_t LinkState::newestFrame() const {
+  const std::lock_guard lock(mutex_);
+  return frames_.newest();
+}
+
+bool LinkState::waitForFrame(std::uint64_t number, std::int64_t timeout_ns) const {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, std::chrono::nanoseconds(timeout_ns),
+                           [&] { return frames_.newest() >= number; });
+}
+
+void LinkState::keepFirstFrom(const std::vector<std::uint64_t>& numbers) {
+  const std::lock_guard lock(mutex_);
+  frames_.keepFirstFrom(numbers);
+}
+
+std::optional<ReceivedFrame> LinkState::firstFrom(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  return frames_.firstFrom(number);
+}
+
 void LinkState::reportFrame(const FrameReport& frame) {
   const std::lock_guard lock(mutex_);
-  frames_.push_back(frame);
-  if (frames_.size() > kMaxReportFrames) frames_.pop_front();
+  reports_.push_back(frame);
+  if (reports_.size() > kMaxReportFrames) reports_.pop_front();
 }
 
 std::optional<ServerTime> LinkState::toServer(ClientTime t) const {
   const std::lock_guard lock(mutex_);
-  if (!offset_.known()) return std::nullopt;
-  return offset_.toServer(t);
+  if (!clocks_.known()) return std::nullopt;
+  return clocks_.toServer(t);
+}
+
+std::optional<ClientTime> LinkState::toClient(ServerTime t) const {
+  const std::lock_guard lock(mutex_);
+  if (!clocks_.known()) return std::nullopt;
+  return clocks_.toClient(t);
 }
 
 LinkStats LinkState::stats() const {
   const std::lock_guard lock(mutex_);
   const SequenceTracker::Counts& counts = tracker_.counts();
-  LinkStats stats{.received = counts.received,
-                  .lost = counts.lost,
-                  .recovered = counts.recovered,
-                  .rejected = rejected_,
-                  .reordered = counts.reordered,
-                  .connections = connections_,
-                  .connected = connected_,
-                  .clock_known = offset_.known()};
-  if (offset_.known()) {
-    const ClientTime now{clock_.nowNs()};
-    stats.clock_offset_ns = offset_.offsetNs(now);
-    stats.clock_bound_ns = offset_.boundNs(now);
-    stats.clock_skew_ppm = offset_.skewPpm();
-  }
+  LinkStats stats = stats_;
+  stats.received = counts.received;
+  stats.lost = counts.lost;
+  stats.recovered = counts.recovered;
+  stats.reordered = counts.reordered;
+  stats.clock_known = clocks_.known();
+  if (!clocks_.known()) return stats;
+  const ClientTime now{clock_.nowNs()};
+  stats.clock_offset_ns = clocks_.offsetNs(now);
+  stats.clock_bound_ns = clocks_.boundNs(now);
+  stats.clock_skew_ppm = clocks_.skewPpm();
   return stats;
 }
 

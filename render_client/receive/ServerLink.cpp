@@ -1,250 +1,25 @@
 #include "render_client/receive/ServerLink.h"
 
-#include <array>
 #include <functional>
 #include <thread>
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ip/udp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/write.hpp>
 
-#include "common/wire/ControlCodec.h"
-#include "common/wire/ControlFraming.h"
 #include "render_client/receive/LinkState.h"
 #include "render_client/receive/NameLookup.h"
+#include "render_client/receive/ServerConnection.h"
 
 namespace coherency {
 namespace {
 
 namespace asio = boost::asio;
-using asio::ip::tcp;
-using asio::ip::udp;
 using boost::system::error_code;
 using std::chrono::milliseconds;
 
 constexpr auto kReconnectAfter = milliseconds(200);
-constexpr auto kAnswerWithin = milliseconds(1000);  ///< to connect, and then to be welcomed
-constexpr auto kReportEvery = milliseconds(500);
-constexpr auto kBurstProbeEvery = milliseconds(5);
-constexpr auto kProbeEvery = milliseconds(100);
-constexpr int kBurstProbes = 8;
-constexpr std::int64_t kSilenceNs = 1'000'000'000;
-constexpr int kDatagramsAtOnce = 256;            ///< then timers and TCP have their turn
-constexpr int kReceiveBuffer = 4 * 1024 * 1024;  ///< as much of it as the system allows: seconds of motion
-
-/// One connection to one address, from the first packet to the last; a new attempt is a new object. It keeps
-/// itself alive through the handlers it waits in; after close() they do nothing.
-class Connection : public std::enable_shared_from_this<Connection> {
- public:
-  using OnEnd = std::function<void(const std::string& why)>;
-
-  Connection(asio::io_context& io, const LinkConfig& config, const Clock& clock, LinkState& state,
-             OnEnd on_end)
-      : config_(config),
-        clock_(clock),
-        state_(state),
-        on_end_(std::move(on_end)),
-        tcp_(io),
-        udp_(io),
-        deadline_(io),
-        probe_timer_(io),
-        report_timer_(io) {}
-
-  void start(const tcp::endpoint& server) {
-    server_ = server;
-    deadline_.expires_after(kAnswerWithin);
-    deadline_.async_wait([self = shared_from_this()](const error_code& error) {
-      if (!error) self->end("it does not answer");
-    });
-    tcp_.async_connect(server, [self = shared_from_this()](const error_code& error) {
-      if (error) return self->end(error.message());
-      error_code ignored;
-      self->tcp_.set_option(tcp::no_delay(true), ignored);
-      self->write(encodeControl(Hello{kWireMajor, kWireMinor, self->config_.eye, "coherency render_client"}));
-      self->read();
-    });
-  }
-
-  void leave() {
-    if (welcomed_ && !closed_) sayAtOnce({"the client ends", GoodbyeCause::Leaving});
-    close();
-  }
-
-  /// Unlike reports, a wish is said sooner or later, the newest one.
-  void request(const ModeRequest& wish) {
-    wish_ = wish;
-    sayWish();
-  }
-
-  void close() {
-    closed_ = true;
-    error_code ignored;
-    tcp_.close(ignored);
-    udp_.close(ignored);
-    deadline_.cancel();
-    probe_timer_.cancel();
-    report_timer_.cancel();
-  }
-
- private:
-  ClientTime now() const { return {clock_.nowNs()}; }
-
-  void end(const std::string& why) {
-    if (closed_) return;
-    close();
-    on_end_(why);
-  }
-
-  /// Before closing: said if it can be said without waiting.
-  void sayAtOnce(const Goodbye& goodbye) {
-    if (!writing_.empty()) return;
-    error_code ignored;
-    tcp_.non_blocking(true, ignored);
-    tcp_.write_some(asio::buffer(encodeControl(goodbye)), ignored);
-  }
-
-  // Only one piece is ever under way: what would wait is not said at all.
-  void write(std::vector<std::byte> bytes) {
-    if (!writing_.empty()) return;
-    writing_ = std::move(bytes);
-    asio::async_write(tcp_, asio::buffer(writing_),
-                      [self = shared_from_this()](const error_code& error, std::size_t) {
-                        self->writing_.clear();
-                        if (error) return self->end(error.message());
-                        self->sayWish();
-                      });
-  }
-
-  void sayWish() {
-    if (!wish_ || closed_ || !welcomed_ || !writing_.empty()) return;
-    const ModeRequest wish = *wish_;
-    wish_.reset();
-    write(encodeControl(wish));
-  }
-
-  void read() {
-    tcp_.async_read_some(
-        asio::buffer(incoming_), [self = shared_from_this()](const error_code& error, std::size_t size) {
-          if (error)
-            return self->end(error == asio::error::eof ? "the connection was closed" : error.message());
-          self->onBytes(size);
-          if (!self->closed_) self->read();
-        });
-  }
-
-  void onBytes(std::size_t size) {
-    framing_.feed(std::span(incoming_).first(size));
-    while (!closed_) {
-      const auto message = framing_.next();
-      if (!message) break;
-      std::visit([this](const auto& decoded) { on(decoded); }, decodeControl(*message));
-    }
-    if (framing_.oversized()) on(Reject::Oversized);
-  }
-
-  void on(const SessionConfig& session) {
-    if (welcomed_) return end("a second welcome came");
-    welcomed_ = true;
-    deadline_.cancel();
-    state_.welcomed(session);
-    if (!openUdp(session.udp_port)) return;
-    heard_ = now();
-    receive();
-    probe(kBurstProbes);
-    report();
-  }
-  void on(const Goodbye& goodbye) {
-    state_.refused(goodbye);
-    end(goodbye.reason);
-  }
-  void on(Reject reject) {
-    const bool version = reject == Reject::Version;
-    if (version) state_.refuseVersion();
-    sayAtOnce(version ? Goodbye{"this client speaks another major version", GoodbyeCause::Version}
-                      : Goodbye{"not a control message that a server sends", GoodbyeCause::Protocol});
-    end(version ? "it speaks another version" : "what answers there is no motion server");
-  }
-  void on(const Hello&) { on(Reject::Malformed); }
-  void on(const ClientReport&) { on(Reject::Malformed); }
-  void on(const ModeRequest&) { on(Reject::Malformed); }
-
-  bool openUdp(std::uint16_t port) {
-    error_code error;
-    const udp::endpoint server(server_.address(), port);
-    udp_.open(server.protocol(), error);
-    if (!error) udp_.connect(server, error);
-    if (!error) udp_.non_blocking(true, error);
-    if (error) {
-      end("UDP: " + error.message());
-      return false;
-    }
-    udp_.set_option(udp::socket::receive_buffer_size(kReceiveBuffer), error);  // smaller ones work too
-    return true;
-  }
-
-  void receive() {
-    udp_.async_wait(udp::socket::wait_read, [self = shared_from_this()](const error_code&) {
-      if (self->closed_) return;
-      self->drain();
-      self->receive();
-    });
-  }
-
-  void drain() {
-    for (int i = 0; i < kDatagramsAtOnce; ++i) {
-      error_code error;
-      const std::size_t size = udp_.receive(asio::buffer(datagram_), 0, error);
-      if (error) return;  // nothing more; or the port is closed over there, which silence or TCP will tell
-      const ClientTime arrived = now();
-      if (state_.datagram(std::span(datagram_).first(size), arrived)) heard_ = arrived;
-    }
-  }
-
-  void probe(int burst_left) {
-    if (now() - heard_ > kSilenceNs) return end("it fell silent");
-    codec_.encode(state_.probe(), probe_bytes_);
-    error_code ignored;
-    udp_.send(asio::buffer(probe_bytes_), 0, ignored);
-    probe_timer_.expires_after(burst_left > 1 ? kBurstProbeEvery : kProbeEvery);
-    probe_timer_.async_wait([self = shared_from_this(), burst_left](const error_code&) {
-      if (!self->closed_) self->probe(burst_left > 1 ? burst_left - 1 : 0);
-    });
-  }
-
-  void report() {
-    report_timer_.expires_after(kReportEvery);
-    report_timer_.async_wait([self = shared_from_this()](const error_code&) {
-      if (self->closed_) return;
-      if (self->writing_.empty()) self->write(encodeControl(self->state_.takeReport()));
-      self->report();
-    });
-  }
-
-  const LinkConfig& config_;
-  const Clock& clock_;
-  LinkState& state_;
-  OnEnd on_end_;
-  tcp::endpoint server_;
-  tcp::socket tcp_;
-  udp::socket udp_;
-  asio::steady_timer deadline_;
-  asio::steady_timer probe_timer_;
-  asio::steady_timer report_timer_;
-  ControlFraming framing_;
-  DatagramCodec codec_;
-  std::array<std::byte, 4096> incoming_{};
-  std::array<std::byte, 2 * kMaxDatagram> datagram_{};
-  std::vector<std::byte> writing_;
-  std::vector<std::byte> probe_bytes_;
-  std::optional<ModeRequest> wish_;
-  ClientTime heard_;
-  bool welcomed_ = false;
-  bool closed_ = false;
-};
 
 }  // namespace
 
@@ -271,6 +46,13 @@ class ServerLink::Impl {
     });
   }
 
+  void requestKeyframe() {
+    state_.requestKeyframe();
+    asio::post(*io_, [this] {
+      if (connection_) connection_->sayWishes();
+    });
+  }
+
   LinkState& state() { return state_; }
   const LinkState& state() const { return state_; }
 
@@ -290,15 +72,11 @@ class ServerLink::Impl {
 
   void connectNext(const std::string& why) {
     if (next_address_ == addresses_.size()) return again(why);
-    error_code error;
-    const auto address = asio::ip::make_address(addresses_[next_address_++], error);
-    if (error) return connectNext(error.message());
-    connection_ =
-        std::make_shared<Connection>(*io_, config_, clock_, state_, [this](const std::string& reason) {
-          state_.disconnected(reason);
-          connectNext(reason);
-        });
-    connection_->start({address, config_.port});
+    connection_ = connectTo(addresses_[next_address_++], *io_, config_, clock_, state_,
+                            [this](const std::string& reason) {
+                              state_.disconnected(reason);
+                              connectNext(reason);
+                            });
   }
 
   void again(const std::string& why) {
@@ -316,7 +94,7 @@ class ServerLink::Impl {
   asio::executor_work_guard<asio::io_context::executor_type> work_{
       io_->get_executor()};  // while a lookup goes on
   asio::steady_timer reconnect_timer_{*io_};
-  std::shared_ptr<Connection> connection_;
+  std::shared_ptr<ServerConnection> connection_;
   std::vector<std::string> addresses_;
   std::size_t next_address_ = 0;
   std::thread thread_;
@@ -335,17 +113,34 @@ std::optional<SessionConfig> ServerLink::session() const {
 std::optional<ReceivedPacket> ServerLink::newest() const {
   return impl_->state().newest();
 }
-std::optional<ReceivedPacket> ServerLink::atTick(std::uint64_t tick) const {
-  return impl_->state().atTick(tick);
-}
-void ServerLink::keepFirstFrom(const std::vector<std::uint64_t>& ticks) {
-  impl_->state().keepFirstFrom(ticks);
-}
-std::optional<ReceivedPacket> ServerLink::firstFrom(std::uint64_t tick) const {
-  return impl_->state().firstFrom(tick);
-}
 bool ServerLink::waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const {
   return impl_->state().waitForTick(tick, timeout_ns);
+}
+std::optional<ReceivedFrame> ServerLink::nextFrame(std::uint64_t after, std::uint64_t stride,
+                                                   ServerTime earliest, std::int64_t draw_ns) const {
+  return impl_->state().nextFrame(after, stride, earliest, draw_ns);
+}
+std::vector<ReceivedFrame> ServerLink::framesBetween(std::uint64_t after, std::uint64_t before,
+                                                     std::uint64_t stride) const {
+  return impl_->state().framesBetween(after, before, stride);
+}
+void ServerLink::keepFirstFrom(const std::vector<std::uint64_t>& numbers) {
+  impl_->state().keepFirstFrom(numbers);
+}
+std::optional<ReceivedFrame> ServerLink::firstFrom(std::uint64_t number) const {
+  return impl_->state().firstFrom(number);
+}
+std::uint64_t ServerLink::newestFrame() const {
+  return impl_->state().newestFrame();
+}
+bool ServerLink::waitForFrame(std::uint64_t number, std::int64_t timeout_ns) const {
+  return impl_->state().waitForFrame(number, timeout_ns);
+}
+void ServerLink::requestKeyframe() {
+  impl_->requestKeyframe();
+}
+std::optional<ClientTime> ServerLink::toClient(ServerTime t) const {
+  return impl_->state().toClient(t);
 }
 void ServerLink::requestMode(Mode mode) {
   impl_->request(ModeRequest{mode});

@@ -4,9 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/sync/Clock.h"
+#include "common/wire/Messages.h"
 #include "common/wire/Packets.h"
+#include "render_client/receive/FrameBuffer.h"
 
 namespace coherency {
 
@@ -14,20 +17,27 @@ struct LinkConfig {
   std::string host;
   std::uint16_t port = kDefaultPort;
   std::string eye;
+  Key key = kNoKey;
 };
 
 struct LinkStats {
-  std::uint64_t received = 0;   ///< motion packets accepted
-  std::uint64_t lost = 0;       ///< sequence numbers that never came by themselves
-  std::uint64_t recovered = 0;  ///< of those, brought by a later packet's redundant samples
-  std::uint64_t rejected = 0;   ///< malformed, foreign, of the wrong session
-  std::uint64_t reordered = 0;  ///< older than the newest: counted, not shown
+  std::uint64_t received = 0;          ///< motion packets accepted
+  std::uint64_t lost = 0;              ///< sequence numbers that never came by themselves
+  std::uint64_t recovered = 0;         ///< of those, brought by a later packet's redundant samples
+  std::uint64_t reordered = 0;         ///< older than the newest: counted, not shown
+  std::uint64_t rejected = 0;          ///< what came and was not the server's, by whatever cause
+  std::uint64_t forged = 0;            ///< of those, not sealed with this session's keys
+  std::uint64_t replayed = 0;          ///< the server's, but here before: a network may do that, or somebody
+  std::uint64_t without_keyframe = 0;  ///< came before the keyframe that they count from
+  std::uint64_t keyframes = 0;
+  std::string differing_field;  ///< the first that differed when a keyframe was said again and was another
   std::uint64_t connections = 0;
   bool connected = false;
+  MotionWay way = MotionWay::Udp;
   bool clock_known = false;
   std::int64_t clock_offset_ns = 0;  ///< server minus client
-  std::int64_t clock_bound_ns = 0;   ///< the truth is within this of it
-  double clock_skew_ppm = 0.0;       ///< how much faster the server's clock is
+  std::int64_t clock_bound_ns = 0;
+  double clock_skew_ppm = 0.0;
 };
 
 /// A packet and when it came, on this machine's clock.
@@ -36,8 +46,6 @@ struct ReceivedPacket {
   ClientTime arrived;  ///< as bytes
   ClientTime decoded;  ///< as something to draw from
 };
-
-inline constexpr std::size_t kRecentPackets = 1024;
 
 /// The client's end of the wire. A thread of its own connects, says hello, receives, measures the clock, and
 /// connects again by itself (every 200 ms) when the server goes away. The newest packet wins; nothing queues.
@@ -57,23 +65,29 @@ class ServerLink {
 
   /// Newest packet of the session in force, if one came; does not consume it.
   std::optional<ReceivedPacket> newest() const;
-  /// The packet of exactly this tick, if it came and is among the last kRecentPackets; without redundant
-  /// samples.
-  std::optional<ReceivedPacket> atTick(std::uint64_t tick) const;
-  /// From now on the first packet of each of these ticks or after it is kept, and of no others: a server that
-  /// was held up leaves ticks out, the same for all its clients.
-  void keepFirstFrom(const std::vector<std::uint64_t>& ticks);
-  /// The one that was kept, however long ago it came; none where nothing so late has come.
-  std::optional<ReceivedPacket> firstFrom(std::uint64_t tick) const;
   /// Blocks until a packet of this tick or a later one is there, or the time is over.
   bool waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const;
 
-  /// To be told to the server with the next report (twice a second).
+  /// What to draw, as FrameBuffer tells it.
+  std::optional<ReceivedFrame> nextFrame(std::uint64_t after, std::uint64_t stride, ServerTime earliest,
+                                         std::int64_t draw_ns) const;
+  std::vector<ReceivedFrame> framesBetween(std::uint64_t after, std::uint64_t before,
+                                           std::uint64_t stride) const;
+  void keepFirstFrom(const std::vector<std::uint64_t>& numbers);
+  std::optional<ReceivedFrame> firstFrom(std::uint64_t number) const;
+  std::uint64_t newestFrame() const;  ///< its number; 0: none has come
+  /// Blocks until a frame of this number or a later one is there, or the time is over.
+  bool waitForFrame(std::uint64_t number, std::int64_t timeout_ns) const;
+
+  /// To be told to the server with the next report (five times a second), by rising number.
   void reportFrame(const FrameReport& frame);
   /// Asks the server for another mode; heard within a round trip, or not at all where there is no connection.
   void requestMode(Mode mode);
-  /// Server time of a client time; nullopt until the clock is known.
+  /// Has the server say the keyframes again, as a state did not have its hash.
+  void requestKeyframe();
+  /// Server time of a client time and the other way round; nullopt until the clock is known.
   std::optional<ServerTime> toServer(ClientTime t) const;
+  std::optional<ClientTime> toClient(ServerTime t) const;
   LinkStats stats() const;
 
  private:

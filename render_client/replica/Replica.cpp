@@ -1,20 +1,19 @@
 #include "render_client/replica/Replica.h"
 
+#include "common/wire/Validity.h"
+
 namespace coherency {
 
 Replica::Replica(const SessionConfig& session)
     : session_(session), scene_(std::make_unique<Scene>(session.scene, session.rig)) {}
 
-bool Replica::apply(const MotionPacket& packet) {
-  const std::uint64_t hash = stateHash(packet.world, packet.sample);
-  if (hash != packet.hash || !scene_->fits(packet.world)) {
+bool Replica::apply(const FrameState& frame) {
+  if (!hashHolds(frame) || !scene_->fits(frame.world)) {
     ++mismatches_;
     return false;
   }
-  hash_ = hash;
-  sample_ = packet.sample;
-  world_ = packet.world;
-  scene_->apply(world_, sample_);
+  frame_ = frame;
+  scene_->apply(frame_.world, frame_.sample);
   return true;
 }
 

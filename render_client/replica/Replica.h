@@ -15,26 +15,25 @@ class Replica {
   /// Throws std::invalid_argument when the session's scene has in it what this client does not know.
   explicit Replica(const SessionConfig& session);
 
-  /// Recomputes the state's hash and, where it is the packet's and the state one of this world's, brings the
+  /// Recomputes the state's hash and, where it is the frame's and the state one of this world's, brings the
   /// scene into that state. Otherwise counts a mismatch, keeps the old state and returns false.
-  bool apply(const MotionPacket& packet);
+  bool apply(const FrameState& frame);
 
   /// Goes on with a new session of the same world. Precondition: sameWorld(session, session()).
   void follow(const SessionConfig& session) { session_ = session; }
 
   const Scene& scene() const { return *scene_; }
   const SessionConfig& session() const { return session_; }
-  const MotionSample& sample() const { return sample_; }
-  const WorldState& world() const { return world_; }
-  std::uint64_t hash() const { return hash_; }
+  const MotionSample& sample() const { return frame_.sample; }
+  const WorldState& world() const { return frame_.world; }
+  std::uint64_t hash() const { return frame_.hash; }
+  std::uint64_t frame() const { return frame_.number; }
   std::uint64_t hashMismatches() const { return mismatches_; }
 
  private:
   SessionConfig session_;
   std::unique_ptr<Scene> scene_;
-  MotionSample sample_;
-  WorldState world_;
-  std::uint64_t hash_ = 0;
+  FrameState frame_;
   std::uint64_t mismatches_ = 0;
 };
 

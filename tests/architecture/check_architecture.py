@@ -20,7 +20,7 @@ ARROWS = {
     "body": {"math", "motion", "scene"},
     "objects": {"body", "math", "scene"},
     "world": {"body", "math", "motion", "objects", "scene"},
-    "wire": {"body", "math", "motion", "world"},
+    "wire": {"body", "math", "motion", "sync", "world"},
     "config": {"body", "math", "motion", "scene", "sync", "world"},
 }
 

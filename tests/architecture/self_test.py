@@ -116,7 +116,7 @@ BAD_LINKS = [
     ("common/math", module_text("math", "coherency_scene"), "math and scene link to each other in a circle"),
     ("common/sync", module_text("sync", "coherency_world"), "sync may not link to world"),
     ("common/config", module_text("config", "coherency_wire"), "config may not link to wire"),
-    ("common/wire", module_text("wire", "coherency_world coherency_sync"), "wire may not link to sync"),
+    ("common/wire", module_text("wire", "coherency_world coherency_config"), "wire may not link to config"),
     ("common/body", "coherency_module(body SOURCES A.cpp PRIVATE_LINKS coherency_sync)", "body may not link to sync"),
     (
         "common/motion",

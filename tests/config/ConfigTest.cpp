@@ -98,6 +98,14 @@ TEST_F(ConfigTest, ShippedDefaultsAreTheProgramsDefaults) {
   EXPECT_EQ(server.port, ServerConfig{}.port);
   EXPECT_EQ(server.rate_hz, ServerConfig{}.rate_hz);
   EXPECT_EQ(server.master, ServerConfig{}.master);
+  EXPECT_EQ(server.encoding, ServerConfig{}.encoding);
+  EXPECT_EQ(server.multicast_address, ServerConfig{}.multicast_address);
+  EXPECT_EQ(server.discovery, ServerConfig{}.discovery);
+  EXPECT_EQ(server.frames_hz, ServerConfig{}.frames_hz);
+  EXPECT_EQ(server.least_margin_ms, ServerConfig{}.least_margin_ms);
+  EXPECT_EQ(server.most_margin_ms, ServerConfig{}.most_margin_ms);
+  EXPECT_EQ(server.prediction, ServerConfig{}.prediction);
+  EXPECT_EQ(server.horizon_ms, ServerConfig{}.horizon_ms);
 }
 
 TEST_F(ConfigTest, WrongFilesAreRefusedWithPlaceAndRemedy) {
@@ -111,10 +119,62 @@ TEST_F(ConfigTest, WrongFilesAreRefusedWithPlaceAndRemedy) {
   expectRefused("scene = \"atlantis\"\n", ":1:", "is not known; there are, in ");
   expectRefused("mode = \"ghost\"\n", ":1:", "must be one of: operator, robot");
   expectRefused("[network]\nredundancy = 8\n", ":2:", "from 0 to 7");
-  expectRefused("[netwrok]\nport = 1\n",
-                ":1:", "known are: master, mode, network, rig, sampling, scene, world_seed");
+  expectRefused(
+      "[netwrok]\nport = 1\n", ":1:",
+      "known are: accuracy, frames, master, mode, network, prediction, rig, sampling, scene, world_seed");
   expectRefused("network = 3\n", ":1:", "must be a table");
   expectRefused("[master.replay]\nloop = 1\n", ":2:", "must be true or false");
+}
+
+TEST_F(ConfigTest, HowMotionIsDeliveredAndSeenIsRead) {
+  const ServerConfig config = readServerConfig(write(R"(
+[network]
+encoding = "auto"
+multicast = "239.255.74.30:7432"
+discovery = false
+[frames]
+hz = 90
+least_margin_ms = 4.5
+most_margin_ms = 4.5
+[prediction]
+kind = "velocity"
+horizon_ms = 0
+[accuracy]
+hand_mm = 1.5
+view_px = 0.25
+)"));
+  EXPECT_EQ(config.encoding, "auto");
+  EXPECT_EQ(config.multicast_address, "239.255.74.30");
+  EXPECT_EQ(config.multicast_port, 7432);
+  EXPECT_FALSE(config.discovery);
+  EXPECT_EQ(config.frames_hz, 90.0);
+  EXPECT_EQ(config.least_margin_ms, 4.5);
+  EXPECT_EQ(config.most_margin_ms, 4.5);
+  EXPECT_EQ(config.prediction, "velocity");
+  EXPECT_EQ(config.horizon_ms, 0.0);
+  EXPECT_EQ(config.hand_mm, 1.5);
+  EXPECT_EQ(config.view_px, 0.25);
+}
+
+TEST_F(ConfigTest, WrongDeliveryIsRefusedWithPlaceAndRemedy) {
+  expectRefused("[network]\nencoding = \"tight\"\n", ":2:", "must be one of: exact, compact, auto");
+  expectRefused("[network]\ndiscovery = 1\n", ":2:", "must be true or false");
+  for (const char* group :
+       {"192.0.2.1:7432", "239.255.74.30", "239.255.74.30:0", "[ff02::1]:7432", "group:1"})
+    expectRefused("[network]\n\nmulticast = \"" + std::string(group) + "\"\n",
+                  ":3:", "right would be an IPv4 group of one's own with a port, as \"239.255.74.30:7432\"");
+  expectRefused("[network]\nmulticast = \"239.255.74.30:70000\"\n", ":2:", "network.multicast");
+  expectRefused("[frames]\nhz = 0\n", ":2:", "frames.hz: 0 is out of range; must be from 1 to 1000");
+  expectRefused("[frames]\nhz = nan\n", ":2:", "frames.hz");
+  expectRefused("[frames]\nleast_margin_ms = -1\n", ":2:", "must be from 0 to 1000");
+  expectRefused("[frames]\nmost_margin_ms = 1\n",
+                ":2:", "is below least_margin_ms; right would be at least that");
+  expectRefused("[frames]\nleast_margin_ms = 200\n", ":1:", "frames.most_margin_ms: is below");
+  expectRefused("[frames]\nmargin = 2\n", ":2:", "is not a known key");
+  expectRefused("[prediction]\nkind = \"oracle\"\n", ":2:", "must be one of: none, velocity, kalman");
+  expectRefused("[prediction]\nhorizon_ms = 201\n", ":2:", "must be from 0 to 200");
+  expectRefused("[accuracy]\nhand_mm = -0.5\n", ":2:", "accuracy.hand_mm");
+  expectRefused("[accuracy]\nview_px = \"few\"\n", ":2:", "accuracy.view_px");
 }
 
 TEST_F(ConfigTest, MissingFilesAreNamed) {

@@ -20,7 +20,7 @@ class Clock(lan.LanTest):
         server = self.start("server", SERVER, "--config", ROOT / "configs/servers/lan.toml", "--insecure",
                             prefix=self.on("server"))
         self.until(lambda: "listening on 0.0.0.0:7430" in server.text(), 10, server)
-        eyes = {eye: self.start(eye, CLIENT, "--server", lan.HOSTS["server"], "--eye", eye, "--display",
+        eyes = {eye: self.start(eye, CLIENT, "--server", lan.HOSTS["server"], "--insecure", "--eye", eye, "--display",
                                 "headless", "--size", size, "--fps", fps, "--stats-json",
                                 self.folder / f"{eye}.json", prefix=self.on(eye))
                 for eye in ("left", "right")}

@@ -50,6 +50,8 @@ class BadInput(SessionTest):
                         address)
         self.refuse(2, ['"7430" is no HOST:PORT'], CLIENT, "--server", "7430")
         self.refuse(2, ["--insecure"], SERVER, "--config", LABORATORY, "--listen", "0.0.0.0:0")
+        self.refuse(2, ["--make-key"], SERVER, "--config", LABORATORY, "--listen", "0.0.0.0:0")
+        self.refuse(2, ["--key FILE", "--insecure"], CLIENT, "--server", "192.0.2.1")
         self.refuse(2, ["third"], CLIENT, "--eye", "third")
         self.refuse(2, ["WIDTHxHEIGHT"], CLIENT, "--size", "640")
         self.refuse(2, ["16 to 16384"], CLIENT, "--size", "0x480")
@@ -154,8 +156,8 @@ class BadInput(SessionTest):
     def test_unreachable_server(self):
         self.refuse(1, ["asking the server at 127.0.0.1:9", "motion_server"], CLIENT, "--server", "127.0.0.1:9", "--wait", "1", "--display",
                     "headless")
-        self.refuse(1, ["no.such.host.invalid"], CLIENT, "--server", "no.such.host.invalid", "--wait", "1", "--display",
-                    "headless")
+        self.refuse(1, ["no.such.host.invalid"], CLIENT, "--server", "no.such.host.invalid", "--insecure", "--wait", "1",
+                    "--display", "headless")
 
     def test_window_without_a_display(self):
         for option in (["--display", "window"], ["--fullscreen"]):

@@ -8,12 +8,14 @@ from session import CLIENT, ROOT, SERVER
 
 class Lan(lan.LanTest):
     def test_three_hosts(self):
-        server = self.start("server", SERVER, "--config", ROOT / "configs/servers/lan.toml", "--insecure", "--stats-json",
+        key = self.folder / "session.key"
+        self.assertEnds(self.start("key", SERVER, "--make-key", key), 0)
+        server = self.start("server", SERVER, "--config", ROOT / "configs/servers/lan.toml", "--key", key, "--stats-json",
                             self.folder / "server.json", prefix=self.on("server"))
         self.until(lambda: "listening on 0.0.0.0:7430" in server.text(), 10, server)
-        eyes = {eye: self.start(eye, CLIENT, "--server", HOSTS["server"], "--eye", eye, "--display", "headless", "--fps",
-                                "25", "--size", "320x240", "--duration", "8", "--snapshot-dir", self.folder,
-                                "--snapshot-at", "6", "--stats-json", self.folder / f"{eye}.json", prefix=self.on(eye))
+        eyes = {eye: self.start(eye, CLIENT, "--server", HOSTS["server"], "--key", key, "--eye", eye, "--display", "headless", "--fps",
+                                "25", "--size", "320x240", "--duration", "12", "--snapshot-dir", self.folder,
+                                "--snapshot-at", "9", "--stats-json", self.folder / f"{eye}.json", prefix=self.on(eye))
                 for eye in ("left", "right")}
         for eye, process in eyes.items():
             self.assertEnds(process, 0)

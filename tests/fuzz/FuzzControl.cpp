@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -6,36 +5,40 @@
 
 #include "common/wire/ControlCodec.h"
 #include "common/wire/ControlFraming.h"
+#include "common/wire/SealedStream.h"
 #include "common/wire/Validity.h"
 
 using namespace coherency;
 
 namespace {
 
+/// What was accepted must be possible, must survive being sent on, and must fit what it is sent in.
 template <class T>
 void check(const T& value) {
-  if (!isValid(value)) std::abort();
-  // Others than our own version are understood in part only.
   if constexpr (std::is_same_v<T, Hello>) {
-    if (value.major != kWireMajor) return;
+    if (value.major != kWireMajor) {
+      if (!(value == Hello{value.major, value.minor, {}, false})) std::abort();
+      return;
+    }
   }
-  const std::vector<std::byte> frame = encodeControl(value);
-  if (!std::holds_alternative<T>(decodeControl(std::span(frame).subspan(kControlPrefix)))) std::abort();
+  if (!isValid(value)) std::abort();
+  std::vector<std::byte> bytes;
+  encodeControl(value, bytes);
+  if (bytes.size() + 1 + kSealTag > kMaxControlMessage) std::abort();
+  const DecodedControl again = decodeControl(bytes);
+  const auto* const message = std::get_if<ControlMessage>(&again);
+  if (message == nullptr || !std::holds_alternative<T>(*message)) std::abort();
+  std::vector<std::byte> twice;
+  encodeControl(*message, twice);
+  if (twice != bytes) std::abort();
 }
-void check(Reject) {}
 
 }  // namespace
 
-/// The input is a TCP stream, which arrives in pieces of its first byte's size.
+/// The input is one message, opened.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto stream = std::as_bytes(std::span(data, size));
-  const std::size_t piece = size == 0 ? 1 : std::max<std::size_t>(1, data[0]);
-  ControlFraming framing;
-  for (std::size_t at = 0; at < size; at += piece) {
-    framing.feed(stream.subspan(at, std::min(piece, size - at)));
-    while (const auto message = framing.next()) {
-      std::visit([](const auto& value) { check(value); }, decodeControl(*message));
-    }
-  }
+  const DecodedControl decoded = decodeControl(std::as_bytes(std::span(data, size)));
+  if (const auto* const message = std::get_if<ControlMessage>(&decoded))
+    std::visit([](const auto& value) { check(value); }, *message);
   return 0;
 }

@@ -12,8 +12,10 @@
 #include <boost/asio/write.hpp>
 #include <gtest/gtest.h>
 
+#include "common/wire/Validity.h"
 #include "motion_server/broadcast/Broadcaster.h"
 #include "render_client/receive/ServerLink.h"
+#include "tests/net/Relays.h"
 #include "tests/net/Support.h"
 
 // Real sockets on loopback. Nothing waits for a fixed time: every wait is for a condition and has a deadline
@@ -22,7 +24,6 @@
 namespace coherency {
 namespace {
 
-namespace asio = boost::asio;
 using namespace testing;
 using namespace std::chrono_literals;
 using asio::ip::tcp;
@@ -40,11 +41,20 @@ bool eventually(Condition condition, std::chrono::milliseconds patience = 10s) {
   return true;
 }
 
-/// A server that publishes numbered samples about once a millisecond.
+BroadcastConfig anyPort() {
+  BroadcastConfig config;
+  config.port = 0;
+  return config;
+}
+
+constexpr std::uint64_t kTicksAFrame = 8;
+
+/// A server that publishes numbered samples about once a millisecond, and with every eighth a frame.
 class Server {
  public:
-  explicit Server(const Clock& clock, std::uint16_t port = 0, int max_clients = 64)
-      : clock_(clock), broadcaster_(config(port, max_clients), laboratory(), clock) {}
+  explicit Server(const Clock& clock, const BroadcastConfig& config = anyPort(),
+                  const SessionConfig& session = laboratory())
+      : clock_(clock), broadcaster_(config, session, clock) {}
   ~Server() { stop(); }
 
   void start() {
@@ -62,33 +72,35 @@ class Server {
   void publish() {
     MotionSample sample;
     sample.sequence = ++sequence_;
-    sample.server_time_ns = clock_.nowNs();
-    WorldState world;
-    world.tick = sample.sequence;
+    sample.server_time_ns = clock_.nowNs() + ahead_ns_;
+    WorldState world = worldAt(sample.sequence);
     mode_ = broadcaster_.takeModeRequest().value_or(mode_);
     world.mode = mode_;
-    broadcaster_.publish(world, sample);
+    world.movables[0].x_nm = moved_nm_;
+    std::optional<FrameState> frame;
+    if (sequence_ % kTicksAFrame == 0)
+      frame = frameOf(sequence_ / kTicksAFrame, sequence_, sample.server_time_ns + 20'000'000, world);
+    broadcaster_.publish(world, sample, frame);
+  }
+  /// Something in the world has been moved, and this long has passed for whoever makes keyframes.
+  void move(std::int64_t nm, std::int64_t passed_ns) {
+    moved_nm_ = nm;
+    ahead_ns_ += passed_ns;
   }
 
   Broadcaster& broadcaster() { return broadcaster_; }
   std::uint16_t port() const { return broadcaster_.port(); }
-  std::size_t connected() const {
-    std::size_t count = 0;
-    for (const ClientStatus& client : broadcaster_.clients()) count += client.connected ? 1 : 0;
-    return count;
-  }
+  std::size_t connected() const { return broadcaster_.present(); }
+  /// By which the only client there is is sent its motion.
+  std::string way() const { return broadcaster_.clients().at(0).way; }
 
  private:
-  static BroadcastConfig config(std::uint16_t port, int max_clients) {
-    BroadcastConfig c;
-    c.port = port;
-    c.max_clients = max_clients;
-    return c;
-  }
   const Clock& clock_;
   Broadcaster broadcaster_;
   std::uint64_t sequence_ = 0;
   Mode mode_ = Mode::Operator;
+  std::atomic<std::int64_t> moved_nm_{0};
+  std::atomic<std::int64_t> ahead_ns_{0};
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };
@@ -148,31 +160,41 @@ TEST_F(Loopback, APacketCarriesTheSamplesBeforeIt) {
   EXPECT_EQ(packet.hash, stateHash(packet.world, packet.sample));
 }
 
-/// The first of the last thousand ticks in robot mode that came to this eye.
-std::uint64_t firstRobotTick(const ServerLink& eye) {
-  const std::uint64_t newest = eye.newest()->packet.world.tick;
-  for (std::uint64_t tick = newest > 900 ? newest - 900 : 1; tick <= newest; ++tick) {
-    const auto packet = eye.atTick(tick);
-    if (packet && packet->packet.world.mode == Mode::Robot) return tick;
-  }
-  return 0;
+/// Number and hash of the first frame in robot mode, of those an eye remembers.
+std::pair<std::uint64_t, std::uint64_t> firstRobotFrame(const ServerLink& eye) {
+  for (const ReceivedFrame& frame : eye.framesBetween(0, eye.newestFrame() + 1, 1))
+    if (frame.state.world.mode == Mode::Robot) return {frame.state.number, frame.state.hash};
+  return {0, 0};
 }
 
-TEST_F(Loopback, BothEyesSwitchModesAtTheTickOneOfThemAskedFor) {
+TEST_F(Loopback, BothEyesSwitchModesAtTheFrameOneOfThemAskedFor) {
   Server server(clock_);
   ServerLink left(link(server.port(), "left"), clock_);
   ServerLink right(link(server.port(), "right"), clock_);
   server.start();
   ASSERT_TRUE(receives(left));
   ASSERT_TRUE(receives(right));
+  ASSERT_TRUE(left.waitForFrame(1, kPatienceNs) && right.waitForFrame(1, kPatienceNs));
   left.requestMode(Mode::Robot);
-  const auto inRobotMode = [](const ServerLink& eye) {
-    return eye.newest()->packet.world.mode == Mode::Robot;
-  };
+  const auto inRobotMode = [](const ServerLink& eye) { return firstRobotFrame(eye).first != 0; };
   ASSERT_TRUE(eventually([&] { return inRobotMode(left) && inRobotMode(right); }));
   server.stop();
-  EXPECT_GT(firstRobotTick(left), 1U);
-  EXPECT_EQ(firstRobotTick(left), firstRobotTick(right));
+  EXPECT_GT(firstRobotFrame(left).first, 1U);
+  EXPECT_EQ(firstRobotFrame(left), firstRobotFrame(right));
+}
+
+TEST_F(Loopback, FramesComeWithTheStateThatHasTheirHash) {
+  Server server(clock_);
+  ServerLink eye(link(server.port()), clock_);
+  server.start();
+  ASSERT_TRUE(eye.waitForFrame(20, kPatienceNs));
+  const auto frames = eye.framesBetween(0, eye.newestFrame() + 1, 1);
+  ASSERT_GE(frames.size(), 10U);
+  for (const ReceivedFrame& frame : frames) {
+    EXPECT_TRUE(hashHolds(frame.state));
+    EXPECT_EQ(frame.state.world.tick, frame.state.number * kTicksAFrame);
+    EXPECT_GE(frame.arrived.ns, frame.sampled.ns) << "one clock at both ends";
+  }
 }
 
 TEST_F(Loopback, ARestartedClientReceivesAgainWithinASecond) {
@@ -195,15 +217,17 @@ TEST_F(Loopback, AServerThatReturnsIsFoundAgain) {
   server->start();
   ASSERT_TRUE(receives(left) && receives(right));
   const std::uint64_t first_session = left.session()->session_id;
+  BroadcastConfig same_port;
+  same_port.port = port;
   server.reset();
   EXPECT_TRUE(eventually([&] { return !left.stats().connected && !right.stats().connected; }));
   EXPECT_TRUE(left.newest());  // the last pose is held
-  server = std::make_unique<Server>(clock_, port);
+  server = std::make_unique<Server>(clock_, same_port);
   server->start();
   for (const ServerLink* eye : {&left, &right}) {
     ASSERT_TRUE(eventually([&] { return eye->session()->session_id != first_session && eye->newest(); }));
     EXPECT_EQ(eye->stats().connections, 2U);
-    EXPECT_EQ(eye->newest()->packet.session_id, eye->session()->session_id);
+    EXPECT_TRUE(hashHolds(eye->newest()->packet));
   }
 }
 
@@ -213,15 +237,16 @@ TEST_F(Loopback, AReportedFrameIsCompared) {
   ServerLink right(link(server.port(), "right"), clock_);
   left.waitForSession(kPatienceNs);
   right.waitForSession(kPatienceNs);
-  left.reportFrame({5, 77, 1000});
-  right.reportFrame({5, 77, 1500});
+  left.reportFrame({5, Fate::Drawn, 40, 77, 1000, 900, 50});
+  right.reportFrame({5, Fate::Drawn, 40, 77, 1500, 900, 50});
   EXPECT_TRUE(eventually([&] { return server.broadcaster().stereo().frames_agreeing == 1; }));
   EXPECT_EQ(server.broadcaster().stereo().present_skew_ns, std::vector<std::int64_t>{500});
+  EXPECT_EQ(server.broadcaster().takeReports().size(), 2U);
 }
 
 std::uint64_t rejectedBy(Server& server) {
   const RejectCounts counts = server.broadcaster().rejected();
-  return counts.malformed + counts.oversized + counts.version + counts.foreign;
+  return counts.malformed + counts.oversized + counts.version + counts.foreign + counts.forged;
 }
 
 TEST_F(Loopback, RandomBytesAreCountedAndHurtNobody) {
@@ -280,7 +305,9 @@ TEST_F(Loopback, SilentConnectionsKeepNobodyOut) {
 }
 
 TEST_F(Loopback, AFullServerSaysSo) {
-  Server server(clock_, 0, 1);
+  BroadcastConfig config = anyPort();
+  config.max_clients = 1;
+  Server server(clock_, config);
   ServerLink first(link(server.port()), clock_);
   first.waitForSession(kPatienceNs);
   ServerLink second(link(server.port()), clock_);
@@ -304,11 +331,11 @@ void answerOnce(tcp::acceptor& acceptor, const Bytes& answer) {
 }
 
 TEST_F(Loopback, AServerOfAnotherVersionIsRefusedAtOnce) {
-  // One says so itself; one just welcomes, as another version.
-  const Bytes says = encodeControl(Goodbye{"this server speaks version 9.0", GoodbyeCause::Version});
-  const Bytes welcomes{std::byte{0},    std::byte{0},    std::byte{0},    std::byte{4},
-                       std::byte{0x12}, std::byte{0x02}, std::byte{0x08}, std::byte{0x09}};
-  for (const Bytes& answer : {says, welcomes}) {
+  // One says so itself; one just says hello, as another version.
+  const Bytes says = inTheClear(Goodbye{"this server speaks version 9.0", GoodbyeCause::Version});
+  const Bytes greets{std::byte{0},    std::byte{0},    std::byte{0},    std::byte{4},
+                     std::byte{0x0a}, std::byte{0x02}, std::byte{0x08}, std::byte{0x09}};
+  for (const Bytes& answer : {says, greets}) {
     asio::io_context io;
     tcp::acceptor acceptor(io, {asio::ip::make_address("127.0.0.1"), 0});
     std::thread server([&] { answerOnce(acceptor, answer); });
@@ -329,12 +356,14 @@ TEST_F(Loopback, AClientOfAnotherVersionIsToldWhy) {
   asio::io_context io;
   tcp::socket socket(io);
   socket.connect({asio::ip::make_address("127.0.0.1"), server.port()});
-  asio::write(socket, asio::buffer(encodeControl(Hello{kWireMajor + 1, 0, "", ""})));
+  Bytes hello = inTheClear(Hello{kWireMajor, 0, keyOf(1), false});
+  hello.at(kControlPrefix + 3) = std::byte{kWireMajor + 1};
+  asio::write(socket, asio::buffer(hello));
   Bytes heard(1000);
   boost::system::error_code error;
   heard.resize(asio::read(socket, asio::buffer(heard), error));
   EXPECT_EQ(error, asio::error::eof);
-  EXPECT_EQ(std::get<Goodbye>(messagesIn(heard).at(0)).cause, GoodbyeCause::Version);
+  EXPECT_EQ(as<Goodbye>(WireClient().hear(heard).at(0)).cause, GoodbyeCause::Version);
   EXPECT_EQ(server.broadcaster().rejected().version, 1U);
 }
 
@@ -411,6 +440,192 @@ TEST_F(Loopback, ANameIsLookedUp) {
   Server server(clock_);
   ServerLink eye(link(server.port(), "left", "localhost"), clock_);
   EXPECT_NO_THROW(eye.waitForSession(kPatienceNs));
+}
+
+// ---- Keys ----
+
+TEST_F(Loopback, WithTheKeyOneJoinsAndWithoutItOneIsToldSo) {
+  BroadcastConfig config = anyPort();
+  config.key = keyOf(9);
+  Server server(clock_, config);
+  server.start();
+  LinkConfig right_key = link(server.port());
+  right_key.key = keyOf(9);
+  ServerLink eye(right_key, clock_);
+  ASSERT_TRUE(receives(eye));
+  LinkConfig wrong_key = right_key;
+  wrong_key.key = keyOf(8);
+  for (const LinkConfig& refused : {wrong_key, link(server.port())}) {
+    ServerLink stranger(refused, clock_);
+    try {
+      stranger.waitForSession(kPatienceNs);
+      ADD_FAILURE() << "joined with another key, or none";
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("refused"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("key"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_EQ(server.connected(), 1U);
+  EXPECT_TRUE(receives(eye));
+}
+
+TEST_F(Loopback, AKeyedClientDoesNotSpeakToAServerWithoutOne) {
+  Server server(clock_);
+  LinkConfig keyed = link(server.port());
+  keyed.key = keyOf(9);
+  ServerLink eye(keyed, clock_);
+  EXPECT_THROW(eye.waitForSession(kPatienceNs), std::runtime_error);
+  EXPECT_EQ(server.broadcaster().served(), 0U);
+}
+
+TEST_F(Loopback, ForgedDatagramsAreCountedAndRedirectNothing) {
+  Server server(clock_);
+  server.start();
+  ServerLink eye(link(server.port()), clock_);
+  ASSERT_TRUE(receives(eye));
+  asio::io_context io;
+  udp::socket forger(io, udp::v4());
+  const std::uint32_t id = server.broadcaster().clients().at(0).id;
+  DatagramSealer sealer(keyOf(66), id);
+  for (int i = 0; i < 50; ++i)
+    forger.send_to(asio::buffer(sealed(sealer, bodyOf(ClockProbe{clock_.nowNs()}))),
+                   {asio::ip::make_address("127.0.0.1"), server.port()});
+  EXPECT_TRUE(eventually([&] { return server.broadcaster().rejected().forged == 50; }));
+  EXPECT_TRUE(receives(eye));
+  forger.non_blocking(true);
+  std::array<std::byte, 2000> bytes{};
+  boost::system::error_code error;
+  EXPECT_EQ(forger.receive(asio::buffer(bytes), 0, error), 0U) << "nothing is sent to who forges";
+}
+
+// ---- Keyframes ----
+
+TEST_F(Loopback, AJoinerIsGivenTheKeyframeAndAnAskerAgain) {
+  Server server(clock_);
+  server.start();
+  ServerLink eye(link(server.port()), clock_);
+  ASSERT_TRUE(receives(eye));
+  EXPECT_EQ(eye.newest()->packet.keyframe, 1U);
+  const std::uint64_t before = eye.stats().keyframes;
+  EXPECT_GE(before, 1U);
+  eye.requestKeyframe();
+  EXPECT_TRUE(eventually([&] { return eye.stats().keyframes > before; }));
+  EXPECT_EQ(eye.stats().differing_field, "") << "it is the same";
+}
+
+TEST_F(Loopback, ANewKeyframeIsCountedFromWithoutLosingAnything) {
+  Server server(clock_);
+  server.start();
+  ServerLink left(link(server.port(), "left"), clock_);
+  ServerLink right(link(server.port(), "right"), clock_);
+  ASSERT_TRUE(receives(left) && receives(right));
+  for (const ServerLink* eye : {&left, &right})  // it has said which it has
+    ASSERT_TRUE(eventually([&] { return eye->stats().clock_known; }));
+  const std::uint64_t without = left.stats().without_keyframe + right.stats().without_keyframe;
+  for (std::uint32_t number = 2; number <= 4; ++number) {
+    server.move(1'000 * number, 6'000'000'000);
+    for (const ServerLink* eye : {&left, &right})
+      ASSERT_TRUE(eventually([&] { return eye->newest()->packet.keyframe == number; })) << number;
+  }
+  server.stop();
+  EXPECT_EQ(left.stats().without_keyframe + right.stats().without_keyframe, without);
+  for (const ServerLink* eye : {&left, &right}) {
+    EXPECT_EQ(eye->stats().lost, 0U);
+    EXPECT_TRUE(hashHolds(eye->newest()->packet));
+    EXPECT_EQ(eye->newest()->packet.world.movables[0].x_nm, 4'000);
+  }
+}
+
+// ---- Other ways ----
+
+TEST_F(Loopback, WhereUdpIsBlockedMotionComesOverTcpAndGoesBackToUdpWhenItCan) {
+  Server server(clock_);
+  server.start();
+  Relay relay(server.port());
+  ServerLink eye(link(relay.port(), "left", Relay::kAddress), clock_);
+  ASSERT_TRUE(receives(eye));
+  EXPECT_EQ(eye.stats().way, MotionWay::Tcp);
+  EXPECT_EQ(server.way(), "tcp");
+  EXPECT_TRUE(eventually([&] { return eye.stats().clock_known; }));
+  EXPECT_LE(std::abs(eye.stats().clock_offset_ns), eye.stats().clock_bound_ns);
+  EXPECT_TRUE(hashHolds(eye.newest()->packet));
+  ASSERT_TRUE(eye.waitForFrame(eye.newestFrame() + 3, kPatienceNs)) << "frames as well";
+
+  relay.passUdp();
+  ASSERT_TRUE(eventually([&] { return eye.stats().way == MotionWay::Udp && server.way() == "udp"; }));
+  ASSERT_TRUE(receives(eye));
+
+  relay.blockUdp();
+  ASSERT_TRUE(eventually([&] { return eye.stats().way == MotionWay::Tcp && server.way() == "tcp"; }));
+  ASSERT_TRUE(receives(eye));
+  EXPECT_EQ(eye.stats().connections, 1U) << "all in one connection";
+}
+
+TEST_F(Loopback, WhoTakesNothingOverTcpHoldsNobodyUpAndIsGivenTheNewest) {
+  Server server(clock_);
+  server.start();
+  ServerLink eye(link(server.port()), clock_);
+  ASSERT_TRUE(receives(eye));
+  // A client that has asked for motion over TCP and then does not read.
+  asio::io_context io;
+  tcp::socket socket(io, tcp::v4());
+  socket.set_option(tcp::socket::receive_buffer_size(4096));
+  socket.connect({asio::ip::make_address("127.0.0.1"), server.port()});
+  WireClient stalled;
+  asio::write(socket, asio::buffer(stalled.hello()));
+  Bytes heard(1000);
+  heard.resize(socket.read_some(asio::buffer(heard)));
+  stalled.hear(heard);
+  asio::write(socket, asio::buffer(stalled.say(Join{"right", ""})));
+  asio::write(socket, asio::buffer(stalled.say(Tunnelled{bodyOf(ClockProbe{1, 0, MotionWay::Tcp})})));
+  const auto status = [&] { return server.broadcaster().clients().at(1); };
+  ASSERT_TRUE(eventually([&] { return server.connected() == 2 && status().packets_not_sent > 100; }))
+      << "what it cannot take is left out, not kept";
+  EXPECT_TRUE(receives(eye));
+  EXPECT_EQ(eye.stats().lost, 0U);
+}
+
+TEST_F(Loopback, MotionOfAGroupIsSentOnceForAll) {
+  const std::string group = "239.255.74.30";
+  if (!multicastOnLoopback(group)) GTEST_SKIP() << "loopback carries no multicast here";
+  SessionConfig session = laboratory();
+  {
+    asio::io_context io;  // a port that nobody uses
+    session.multicast = {group, udp::socket(io, {asio::ip::make_address(group), 0}).local_endpoint().port()};
+  }
+  Server server(clock_, anyPort(), session);
+  server.start();
+  ServerLink left(link(server.port(), "left"), clock_);
+  ServerLink right(link(server.port(), "right"), clock_);
+  ASSERT_TRUE(receives(left) && receives(right));
+  for (const ServerLink* eye : {&left, &right})
+    EXPECT_TRUE(eventually([&] { return eye->stats().way == MotionWay::Multicast; }));
+  EXPECT_TRUE(eventually([&] {
+    const auto clients = server.broadcaster().clients();
+    return clients.at(0).way == "multicast" && clients.at(1).way == "multicast";
+  }));
+  const LinkStats before = left.stats();
+  ASSERT_TRUE(left.waitForTick(left.newest()->packet.world.tick + 200, kPatienceNs));
+  EXPECT_EQ(left.stats().lost, before.lost);
+  EXPECT_EQ(left.stats().rejected, before.rejected) << "nothing comes twice";
+  EXPECT_EQ(left.stats().way, MotionWay::Multicast);
+}
+
+TEST_F(Loopback, WhoCannotHearTheGroupIsSentItsOwn) {
+  SessionConfig session = laboratory();
+  session.multicast = {"239.255.74.31", 7432};
+  BroadcastConfig config = anyPort();
+  config.address = "::1";  // IPv6 has no part in it
+  std::unique_ptr<Server> server;
+  try {
+    server = std::make_unique<Server>(clock_, config, session);
+  } catch (const std::runtime_error& error) {
+    GTEST_SKIP() << "no IPv6 here: " << error.what();
+  }
+  server->start();
+  ServerLink eye(link(server->port(), "left", "::1"), clock_);
+  ASSERT_TRUE(receives(eye));
+  EXPECT_EQ(eye.stats().way, MotionWay::Udp);
 }
 
 }  // namespace

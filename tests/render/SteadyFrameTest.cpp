@@ -59,7 +59,7 @@ class Complaints {
 
 /// What a frame is drawn from.
 struct Moment {
-  MotionPacket packet;
+  FrameState frame;
   std::string text;
 };
 
@@ -94,7 +94,7 @@ std::vector<Moment> moments(const Scene& scene) {
     for (int tick = 0; tick < 16; ++tick) scene.world().step(state, sample, 1'000'000);
     std::string text = "frame " + std::to_string(frame) + "\n";
     for (int word = 0; word < frame * 7 % 60; ++word) text += "word ";
-    moments.push_back({{0, sample, state, stateHash(state, sample), {}}, text});
+    moments.push_back({{moments.size() + 1, sample, state, stateHash(state, sample)}, text});
   }
   return moments;
 }
@@ -141,7 +141,7 @@ TEST_F(SteadyFrame, AllocatesNothingAndLeavesNoErrorInOpenGl) {
   std::vector<EyeView> views;
   const Complaints complaints;
   const auto draw = [&](const Moment& moment) {
-    const bool applied = replica.apply(moment.packet);
+    const bool applied = replica.apply(moment.frame);
     eyeViews(replica.scene(), replica.world().mode, hmd, EyeChoice::Both, kWidth, kHeight, views);
     renderer.draw(views);
     renderer.drawText(views, moment.text);

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "common/math/FixedPoint.h"
+#include "common/motion/CompactCode.h"
 #include "motion_server/authority/Authority.h"
 
 namespace coherency {
@@ -23,12 +24,13 @@ class Pusher final : public Master {
     // It moves as people do, however the mode is.
     reading.si[index(Dof::HeadYaw)] = 0.3 * std::sin(static_cast<double>(elapsed_ns) * 2e-9);
     reading.si[index(Dof::ElbowFlexion)] = 1.0 + 0.2 * std::cos(static_cast<double>(elapsed_ns) * 3e-9);
-    reading.si[index(Dof::StickY)] = 1.0;
+    reading.si[index(Dof::StickY)] = stick;
     return reading;
   }
   WorldState seen;
   bool ended = false;
   double head_y = 1.2;
+  double stick = 1.0;
 };
 
 WorldModel model() {
@@ -40,12 +42,13 @@ WorldModel model() {
 
 /// An authority over a plane with a robot on it.
 struct Ruled {
-  explicit Ruled(Master& master, DofMask dofs = kAllDofs)
-      : world(model()), authority(config(dofs), world, master) {}
-  AuthorityConfig config(DofMask dofs) const {
+  explicit Ruled(Master& master, DofMask dofs = kAllDofs, bool compact = false)
+      : world(model()), authority(config(dofs, compact), world, master) {}
+  AuthorityConfig config(DofMask dofs, bool compact) const {
     AuthorityConfig c;
     c.start = world.initialState();
     c.dofs = dofs;
+    c.compact = compact;
     return c;
   }
   World world;
@@ -139,6 +142,42 @@ TEST(Authority, BadReadingsAreRefusedAndCounted) {
   EXPECT_FALSE(result->sample.isValid(Dof::HeadY));
   EXPECT_NEAR(result->sample.si(Dof::HeadY), 1.2, 1e-6);
   EXPECT_EQ(authority.refused()[index(Dof::HeadY)], 1u);
+}
+
+TEST(Authority, CompactSamplesAreAtCodesAndTheWorldIsSteppedWithThem) {
+  Pusher compact_master, exact_master;
+  compact_master.stick = exact_master.stick = 0.33333;
+  Ruled compact(compact_master, kAllDofs, true), exact(exact_master);
+  WorldState stepped = compact.world.initialState();
+  for (int k = 1; k <= 200; ++k) {
+    const auto coarse = compact.authority.sample(k * 1'000'000, 0, 1);
+    const auto fine = exact.authority.sample(k * 1'000'000, 0, 1);
+    EXPECT_EQ(coarse->sample, compacted(fine->sample));
+    EXPECT_NE(coarse->sample, fine->sample);
+    compact.world.step(stepped, coarse->sample, 1'000'000);
+    EXPECT_EQ(coarse->world, stepped);
+  }
+  EXPECT_NE(compact.authority.state().master, exact.authority.state().master);
+}
+
+TEST(Authority, WhatDoesNotTravelStandsStillWhereItIsSaidTo) {
+  for (const bool compact : {false, true}) {
+    Pusher master;
+    const DofMask dofs = mask(Dof::HeadY) | mask(Dof::StickY);
+    Ruled ruled(master, dofs, compact);
+    const auto still = ruled.authority.still();
+    for (int k = 1; k <= 20; ++k) {
+      const MotionSample sample = ruled.authority.sample(k * 1'000'000, 0, 1)->sample;
+      for (std::size_t i = 0; i < kDofCount; ++i)
+        if ((dofs & mask(dofAt(i))) == 0) {
+          EXPECT_EQ(sample.units[i], still[i]) << i;
+        }
+      EXPECT_NE(sample.units[index(Dof::StickY)], still[index(Dof::StickY)]);
+    }
+    MotionSample standing;
+    standing.units = still;
+    EXPECT_EQ(compact ? compacted(standing) : standing, standing);
+  }
 }
 
 }  // namespace
