@@ -30,6 +30,8 @@ class MotionServer {
   /// Serves until Ctrl-C, the end of the duration or of the recording. `onStatus` is called twice a second.
   void run(const std::function<void(const ServerStats&)>& onStatus);
   ServerStats stats() const;
+  /// Who was turned away since the last call and why, a line each.
+  std::vector<std::string> takeRefusals() { return broadcaster_.takeRefusals(); }
 
  private:
   bool sample(const SamplingTick& tick);

@@ -1,5 +1,8 @@
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -45,8 +48,9 @@ void serve(const coherency::ServerOptions& options) {
   ClientNews news;
   server.run([&](const ServerStats& stats) {
     statistics.update(statsJson(stats));
-    for (const std::string& line : news.since(stats.clients))
-      fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", line);
+    std::vector<std::string> lines = server.takeRefusals();
+    for (std::string& line : news.since(stats.clients)) lines.push_back(std::move(line));
+    for (const std::string& line : lines) fmt::print(stderr, "{}{}\n", terminal ? "\r\033[K" : "", line);
     if (terminal) fmt::print(stderr, "\r\033[K{}", statusLine(stats));
   });
   statistics.finish(statsJson(server.stats()));

@@ -181,6 +181,11 @@ class Broadcaster::Impl {
     return mode == kNoMode ? std::nullopt : std::optional(static_cast<Mode>(mode));
   }
 
+  std::vector<FrameReport> takeReports() {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    return lock ? host_->takeReports() : std::vector<FrameReport>();
+  }
+
   template <class Ask>
   auto withHost(Ask ask) {
     const std::lock_guard lock(mutex_);
@@ -386,8 +391,11 @@ void Broadcaster::publish(const WorldState& world, const MotionSample& sample,
                           const std::optional<FrameState>& frame) {
   impl_->publish(world, sample, frame);
 }
+std::vector<std::string> Broadcaster::takeRefusals() {
+  return impl_->withHost([](SessionHost& host) { return host.takeRefusals(); });
+}
 std::vector<FrameReport> Broadcaster::takeReports() {
-  return impl_->withHost([](SessionHost& host) { return host.takeReports(); });
+  return impl_->takeReports();
 }
 std::optional<Mode> Broadcaster::takeModeRequest() {
   return impl_->takeModeRequest();

@@ -60,7 +60,10 @@ class Broadcaster {
   /// the redundant samples; `frame` is a new one to be drawn, where there is one.
   void publish(const WorldState& world, const MotionSample& sample, const std::optional<FrameState>& frame);
 
-  /// What clients said of frames since the last call.
+  /// Who was turned away since the last call and why, a line each.
+  std::vector<std::string> takeRefusals();
+  /// What clients said of frames since the last call; nothing where it would have to wait for it, so that the
+  /// sampling thread may ask.
   std::vector<FrameReport> takeReports();
 
   /// The mode a client asked for since the last call, if one did.

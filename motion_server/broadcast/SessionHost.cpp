@@ -10,6 +10,7 @@ namespace coherency {
 namespace {
 
 constexpr std::size_t kPastRemembered = 256;
+constexpr std::size_t kRefusalsKept = 8;    // likewise
 constexpr std::size_t kReportsKept = 4096;  // for who takes them; the oldest go
 
 std::string versionText(std::uint32_t major, std::uint32_t minor) {
@@ -240,6 +241,10 @@ SessionHost::Reaction SessionHost::reject(Client& client, Reject reject) {
 }
 
 SessionHost::Reaction SessionHost::sendAway(Client& client, GoodbyeCause cause, const std::string& reason) {
+  if (cause == GoodbyeCause::Version || cause == GoodbyeCause::Key || cause == GoodbyeCause::Full) {
+    refusals_.push_back("client at " + client.status.address + " refused: " + reason);
+    if (refusals_.size() > kRefusalsKept) refusals_.pop_front();
+  }
   client.stage = Stage::Leaving;
   if (client.probed) ++targets_version_;
   Reaction reaction = say(client, Goodbye{reason, cause});
@@ -348,6 +353,12 @@ std::uint32_t SessionHost::keyframeOfAll() const {
   for (const auto& [id, client] : clients_)
     if (client->stage == Stage::Welcomed && client->probed) number = std::min(number, client->keyframe);
   return number;
+}
+
+std::vector<std::string> SessionHost::takeRefusals() {
+  const std::vector<std::string> taken(refusals_.begin(), refusals_.end());
+  refusals_.clear();
+  return taken;
 }
 
 std::vector<ClientStatus> SessionHost::clients() const {

@@ -86,6 +86,8 @@ class SessionHost {
   std::uint64_t served() const { return served_; }
   const RejectCounts& rejected() const { return rejected_; }
   const StereoStatus& stereo() const { return stereo_.status(); }
+  /// Who was turned away since the last call and why, a line each for people; of many the newest.
+  std::vector<std::string> takeRefusals();
   /// What clients said of frames since the last call.
   std::vector<FrameReport> takeReports() { return std::exchange(reports_, {}); }
 
@@ -122,6 +124,7 @@ class SessionHost {
   RejectCounts rejected_;
   StereoAgreement stereo_;
   std::vector<FrameReport> reports_;
+  std::deque<std::string> refusals_;
   std::uint64_t targets_version_ = 0;
 };
 

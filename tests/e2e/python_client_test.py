@@ -162,6 +162,7 @@ class PythonClient(SessionTest):
         done = self.ask(address)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("this server has a key", done.stderr)
+        self.until(lambda: server.text().count(" refused: this server has ") == 2, 5, server)
         self.assertEqual(server.end(), 0)
         stats = self.stats("server")
         self.assertEqual((stats["rejected"]["forged"], stats["rejected"]["foreign"]), (1, 1))

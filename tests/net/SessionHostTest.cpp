@@ -106,6 +106,22 @@ TEST_F(SessionHostTest, AnotherKeyIsRefusedAsThat) {
   EXPECT_NE(goodbye.reason.find("another key"), std::string::npos) << goodbye.reason;
   EXPECT_EQ(host_->rejected().forged, 1U);
   EXPECT_TRUE(host_->clients().empty());
+  const auto refusals = host_->takeRefusals();
+  ASSERT_EQ(refusals.size(), 1U);
+  EXPECT_NE(refusals[0].find("refused: " + goodbye.reason), std::string::npos) << refusals[0];
+  EXPECT_TRUE(host_->takeRefusals().empty()) << "said once";
+}
+
+TEST_F(SessionHostTest, OfManyRefusalsTheNewestAreSaid) {
+  for (int i = 0; i < 100; ++i) {
+    Hello hello;
+    hello.major = 100 + static_cast<std::uint32_t>(i);
+    say(connect(), inTheClear(hello));
+  }
+  const auto refusals = host_->takeRefusals();
+  ASSERT_FALSE(refusals.empty());
+  EXPECT_LT(refusals.size(), 20U);
+  EXPECT_NE(refusals.back().find("199."), std::string::npos) << refusals.back();
 }
 
 TEST_F(SessionHostTest, NoKeyWhereThereIsOneAndTheOtherWayRound) {
