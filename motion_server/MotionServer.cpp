@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kMicrosecond = 1e3;  // ns
 constexpr double kMillisecond = 1e6;
+constexpr std::size_t kReportsHeeded = 256;  // a frame
 
 std::int64_t periodNs(const ServerConfig& config) {
   return std::llround(1e9 / config.rate_hz);
@@ -195,11 +196,15 @@ std::optional<FrameState> MotionServer::frameDue(const SamplingTick& tick, const
   const auto due = schedule_.take(tick.elapsed_ns);
   if (!due) return std::nullopt;
   const std::int64_t session_start_ns = tick.due_ns - tick.elapsed_ns;
-  for (const FrameReport& report : broadcaster_.takeReports()) {
+  std::vector<FrameReport> reports = broadcaster_.takeReports();
+  if (reports.size() > kReportsHeeded)
+    reports.resize(kReportsHeeded);  // more than honest eyes have in a frame
+  for (const FrameReport& report : reports) {
     if (report.arrived_server_ns == 0 || report.number >= due->number) continue;  // or was never there
     const std::int64_t moment_ns =
         session_start_ns + static_cast<std::int64_t>(report.number) * schedule_.frameNs();
-    schedule_.heard({report.arrived_server_ns - moment_ns, report.draw_ns});
+    schedule_.heard({report.arrived_server_ns - moment_ns, report.draw_ns,
+                     static_cast<std::int64_t>(report.number) * schedule_.frameNs()});
   }
   return foresight_.frame(due->number, world, {session_start_ns + due->moment_ns + due->margin_ns});
 }

@@ -9,7 +9,7 @@
 namespace coherency {
 namespace {
 
-constexpr std::int64_t kPatienceNs = 50'000'000;   // and a frame: without motion the last one is shown again
+constexpr std::int64_t kPatienceNs = 200'000'000;  // and a frame: without motion the last one is shown again
 constexpr std::int64_t kMostWaitNs = 250'000'000;  // for a frame's time, whatever the clocks say
 constexpr std::int64_t kAskAgainNs = 200'000'000;  // for keyframes
 constexpr std::int64_t kDrawsAveraged = 8;
@@ -18,6 +18,7 @@ constexpr double kAbout = 0.1;  // of a frame: a limit of 60 a second does not h
 }  // namespace
 
 void FramePacing::begin(const SessionConfig& session, double fps) {
+  session_id_ = session.session_id;
   frame_ns_ = session.frame_ns;
   const double wanted = fps > 0.0 ? 1e9 / static_cast<double>(frame_ns_) / fps : 1.0;
   stride_ = static_cast<std::uint64_t>(std::max(1.0, std::ceil(wanted - kAbout)));
@@ -38,6 +39,7 @@ std::uint64_t FramePacing::framesSince(std::uint64_t number) const {
 
 std::optional<ReceivedFrame> FramePacing::firstFrom(std::uint64_t number) const {
   const auto first = link_.firstFrom(number);
+  if (first && first->session_id != session_id_) return std::nullopt;
   const bool none_before = first && first->state.number == number;
   return none_before || link_.newestFrame() >= number + kMaxFrames ? first : std::nullopt;
 }
@@ -50,7 +52,8 @@ std::optional<ReceivedFrame> FramePacing::await() const {
 }
 
 std::optional<ReceivedFrame> FramePacing::next() const {
-  return link_.nextFrame(shown_, stride_, earliestSeen(), typical_draw_ns_);
+  const auto frame = link_.nextFrame(shown_, stride_, earliestSeen(), typical_draw_ns_);
+  return frame && frame->session_id == session_id_ ? frame : std::nullopt;
 }
 
 /// When a picture that is begun now can be seen; while the clocks are unknown only the newest frame will do.
@@ -63,14 +66,19 @@ void FramePacing::choose(const ReceivedFrame& frame) {
   if (shown_ == 0) return;
   for (const ReceivedFrame& other : link_.framesBetween(shown_, frame.state.number, stride_)) {
     const auto arrived = link_.toServer(other.arrived);
-    if (!arrived) continue;
+    if (!arrived || other.arrived <= first_shown_at_) continue;  // the first picture takes what no other does
     // What came while the picture before it was being made would have been in time after a faster one.
     const bool was_busy = other.arrived <= shown_at_;
-    link_.reportFrame({.number = other.state.number,
-                       .fate = was_busy ? Fate::DrawingLate : Fate::InputLate,
-                       .arrived_server_ns = arrived->ns,
-                       .draw_ns = typical_draw_ns_});
+    report({.number = other.state.number,
+            .fate = was_busy ? Fate::DrawingLate : Fate::InputLate,
+            .arrived_server_ns = arrived->ns,
+            .draw_ns = typical_draw_ns_});
   }
+}
+
+/// What was shown of a session that is over is nothing to the next one's server.
+void FramePacing::report(const FrameReport& frame) {
+  if (link_.sessionId() == session_id_) link_.reportFrame(frame);
 }
 
 void FramePacing::mismatched(const ReceivedFrame& frame) {
@@ -79,7 +87,7 @@ void FramePacing::mismatched(const ReceivedFrame& frame) {
     asked_for_keyframes_ = now();
   }
   if (frame.state.number <= shown_) return;
-  link_.reportFrame({.number = frame.state.number, .fate = Fate::Mismatch});
+  report({.number = frame.state.number, .fate = Fate::Mismatch});
   shown_ = frame.state.number;
 }
 
@@ -91,15 +99,18 @@ void FramePacing::awaitPhotons(const ReceivedFrame& frame) const {
 void FramePacing::shown(const ReceivedFrame& frame, std::uint64_t tick, std::uint64_t hash,
                         std::int64_t draw_ns) {
   drawing_.add(draw_ns);
-  typical_draw_ns_ += (draw_ns - typical_draw_ns_) / kDrawsAveraged;
   shown_at_ = now();
   const auto seen = link_.toServer(shown_at_);
   const auto arrived = link_.toServer(frame.arrived);
   if (!seen || !arrived || frame.state.number <= shown_) return;
   to_present_.add(*seen - frame.sampled);
   lateness_.add(*seen - frame.state.photons());
-  if (shown_ != 0)  // the first picture takes what no other does
-    link_.reportFrame({frame.state.number, Fate::Drawn, tick, hash, seen->ns, arrived->ns, draw_ns});
+  if (shown_ == 0) {
+    first_shown_at_ = shown_at_;
+  } else {
+    typical_draw_ns_ += (draw_ns - typical_draw_ns_) / (typical_draw_ns_ == 0 ? 1 : kDrawsAveraged);
+    report({frame.state.number, Fate::Drawn, tick, hash, seen->ns, arrived->ns, draw_ns});
+  }
   shown_ = frame.state.number;
 }
 

@@ -49,15 +49,18 @@ class FramePacing {
 
  private:
   ServerTime earliestSeen() const;
+  void report(const FrameReport& frame);
   std::optional<ReceivedFrame> next() const;
   ClientTime now() const { return {clock_.nowNs()}; }
 
   ServerLink& link_;
   const Clock& clock_;
+  std::uint64_t session_id_ = 0;
   std::int64_t frame_ns_ = 0;
   std::uint64_t stride_ = 1;  ///< of so many frames one is drawn
   std::uint64_t shown_ = 0;
   ClientTime shown_at_;
+  ClientTime first_shown_at_;  ///< of this session
   std::int64_t typical_draw_ns_ = 0;
   ClientTime asked_for_keyframes_;
   DurationHistogram drawing_;

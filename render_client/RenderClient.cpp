@@ -79,7 +79,8 @@ RenderClient::RenderClient(const ClientOptions& options, const Clock& clock)
 }
 
 void RenderClient::awaitMotion(ClientTime deadline) {
-  while (!link_.waitForFrame(1, kPollNs) && now() < deadline && !stopRequested()) display_->poll();
+  while (!link_.waitForFrame(1, kPollNs) && now() < deadline && !closed_) handleInput();
+  if (closed_) return;
   const auto first = link_.nextFrame(0, 1, {0}, 0);
   if (!first)
     throw std::runtime_error(fmt::format(
@@ -198,10 +199,12 @@ void RenderClient::drawFrame(const ReceivedFrame& frame, bool is_picture) {
   }
   const ClientTime begun = now();
   drawViews();
-  const std::int64_t draw_ns = now() - begun;
-  takeSnapshots(is_picture);
+  std::int64_t draw_ns = now() - begun;
+  takeSnapshots(is_picture);  // now and then, and not to be allowed for
+  const ClientTime drawn = now();
   addToVideo(frame.state.number);
   showText();
+  draw_ns += now() - drawn;
   pacing_.awaitPhotons(frame);
   present();
   countPicture();

@@ -16,6 +16,7 @@ std::int64_t MonotonicClock::nowNs() const {
 }
 
 void MonotonicClock::sleepUntil(std::int64_t ns) const {
+  if (ns <= nowNs()) return;
   timespec until{};
   until.tv_sec = static_cast<time_t>(ns / 1'000'000'000);
   until.tv_nsec = static_cast<long>(ns % 1'000'000'000);

@@ -46,12 +46,12 @@ void FrameSchedule::heard(const FrameNeed& need) {
   else
     needs_[next_] = need;
   next_ = (next_ + 1) % kNeeds;
-  if (++unconsidered_ < kReconsiderAfter) return;
-  unconsidered_ = 0;
-  reconsider();
+  newest_moment_ns_ = std::max(newest_moment_ns_, need.moment_ns);
+  if (++unconsidered_ >= kReconsiderAfter) reconsider();
 }
 
 void FrameSchedule::reconsider() {
+  unconsidered_ = 0;
   const std::int64_t need = quantile(kCovered, [](const FrameNeed& n) { return n.ready_ns + n.draw_ns; });
   wanted_margin_ns_ = std::clamp(need + kSlackNs, config_.least_margin_ns, config_.most_margin_ns);
   fitStride(quantile(kTypical, [](const FrameNeed& n) { return n.draw_ns; }));
@@ -59,8 +59,9 @@ void FrameSchedule::reconsider() {
 
 /// Nearest rank, rounded up.
 std::int64_t FrameSchedule::quantile(double q, std::int64_t (*of)(const FrameNeed&)) {
-  sorted_.resize(needs_.size());
-  std::transform(needs_.begin(), needs_.end(), sorted_.begin(), of);
+  sorted_.clear();
+  for (const FrameNeed& need : needs_)
+    if (newest_moment_ns_ - need.moment_ns <= kMemoryNs) sorted_.push_back(of(need));
   const auto rank = static_cast<std::size_t>(q * static_cast<double>(sorted_.size()));
   const auto at = sorted_.begin() + static_cast<std::ptrdiff_t>(std::min(rank, sorted_.size() - 1));
   std::nth_element(sorted_.begin(), at, sorted_.end());

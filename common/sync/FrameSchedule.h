@@ -13,6 +13,7 @@ namespace coherency {
 struct FrameNeed {
   std::int64_t ready_ns = 0;
   std::int64_t draw_ns = 0;
+  std::int64_t moment_ns = 0;  ///< the frame's own, of session time
 };
 
 struct FrameScheduleConfig {
@@ -39,15 +40,17 @@ class FrameSchedule {
   /// The newest frame whose moment has come and that was not given out before. Session time never falls.
   std::optional<Due> take(std::int64_t elapsed_ns);
 
-  /// A frame at an eye. Of the last kNeeds the margin covers 999 of 1000; it grows by a millisecond a frame
-  /// at most and shrinks by one a second, so that what is predicted by it does not jump.
+  /// A frame at an eye. Of the last kNeeds, none older than kMemoryNs, the
+  /// margin covers 999 of 1000; it grows by a millisecond a frame at most and shrinks by one a second, so
+  /// that what is predicted by it does not jump.
   void heard(const FrameNeed& need);
 
   std::int64_t marginNs() const { return margin_ns_; }
   std::uint64_t stride() const { return stride_; }  ///< 1: every frame is drawn
   std::int64_t frameNs() const { return config_.frame_ns; }
 
-  static constexpr std::size_t kNeeds = 2048;  ///< half a minute of two eyes
+  static constexpr std::size_t kNeeds = 2048;                ///< a quarter of a minute of two eyes
+  static constexpr std::int64_t kMemoryNs = 20'000'000'000;  ///< who has gone holds nobody back for longer
   static constexpr std::uint64_t kMostStride = 16;
 
  private:
@@ -59,6 +62,7 @@ class FrameSchedule {
   std::vector<FrameNeed> needs_;
   std::vector<std::int64_t> sorted_;
   std::size_t next_ = 0;
+  std::int64_t newest_moment_ns_ = 0;
   std::size_t unconsidered_ = 0;
   std::int64_t wanted_margin_ns_;
   std::int64_t margin_ns_;

@@ -40,7 +40,9 @@ void StereoAgreement::add(std::string_view eye, const FrameReport& frame) {
   // What the other eye showed and this one will not speak of any more.
   if (own.first != 0) {
     const std::uint64_t oldest = frame.number > kRemembered ? frame.number - kRemembered : 0;
-    for (std::uint64_t n = std::max(own.newest + 1, oldest); n < frame.number; ++n) {
+    const std::uint64_t end =
+        std::min(frame.number, other.newest + 1);  // beyond it the other has said nothing
+    for (std::uint64_t n = std::max(own.newest + 1, oldest); n < end; ++n) {
       const FrameReport* const theirs = other.said(n);
       if (theirs != nullptr && theirs->fate == Fate::Drawn) ++status_.lost;
     }

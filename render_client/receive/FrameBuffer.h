@@ -13,6 +13,7 @@ namespace coherency {
 
 /// A frame, when it first came, and when the newest sample that it was predicted from was taken.
 struct ReceivedFrame {
+  std::uint64_t session_id = 0;
   FrameState state;
   ClientTime arrived;
   ServerTime sampled;

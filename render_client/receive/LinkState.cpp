@@ -113,7 +113,7 @@ LinkState::Heard LinkState::take(std::variant<Reject, std::span<const std::byte>
 LinkState::Heard LinkState::count(Reject reject) {
   if (reject == Reject::NoKeyframe) {  // the server's, and early: the keyframe is on its way
     ++stats_.without_keyframe;
-    return Heard::News;
+    return Heard::Motion;
   }
   if (reject == Reject::Replayed) {
     ++stats_.replayed;
@@ -132,14 +132,14 @@ LinkState::Heard LinkState::on(MotionPacket& packet, ClientTime arrived) {
     const auto later = std::min(packet.sample.sequence - frame.sample.sequence, kMostLater);
     const ServerTime sampled{packet.sample.server_time_ns -
                              static_cast<std::int64_t>(later) * session_->period_ns};
-    news = frames_.add({frame, arrived, sampled}) || news;
+    news = frames_.add({session_->session_id, frame, arrived, sampled}) || news;
   }
   if (!newest_ || packet.sample.sequence > newest_->packet.sample.sequence) {
     newest_ = {std::move(packet), arrived, decoded};
     news = true;
   }
   if (news) changed_.notify_all();
-  return Heard::News;
+  return Heard::Motion;
 }
 
 LinkState::Heard LinkState::on(const ClockReply& reply, ClientTime arrived) {
@@ -147,7 +147,7 @@ LinkState::Heard LinkState::on(const ClockReply& reply, ClientTime arrived) {
   if (asked == asked_.end()) return count(Reject::Replayed);  // never asked, or answered before
   asked_.erase(asked);
   clocks_.add({{reply.t0_client_ns}, {reply.t1_server_ns}, {reply.t2_server_ns}, arrived});
-  return Heard::News;
+  return Heard::Reply;
 }
 
 void LinkState::setWay(MotionWay way) {
@@ -185,6 +185,11 @@ SessionConfig LinkState::waitForSession(std::int64_t timeout_ns) const {
 std::optional<SessionConfig> LinkState::session() const {
   const std::lock_guard lock(mutex_);
   return session_;
+}
+
+std::uint64_t LinkState::sessionId() const {
+  const std::lock_guard lock(mutex_);
+  return session_ ? session_->session_id : 0;
 }
 
 std::optional<ReceivedPacket> LinkState::newest() const {

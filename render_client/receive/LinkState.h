@@ -29,7 +29,8 @@ class LinkState {
   enum class Heard : std::uint8_t {
     Nothing,  ///< not the server's
     Again,    ///< the server's, and here before: what comes by two ways comes twice
-    News,
+    Reply,    ///< to a probe
+    Motion,
   };
 
   LinkState(const LinkConfig& config, const Clock& clock) : config_(config), clock_(clock) {}
@@ -56,6 +57,7 @@ class LinkState {
 
   SessionConfig waitForSession(std::int64_t timeout_ns) const;
   std::optional<SessionConfig> session() const;
+  std::uint64_t sessionId() const;
   std::optional<ReceivedPacket> newest() const;
   bool waitForTick(std::uint64_t tick, std::int64_t timeout_ns) const;
   std::optional<ReceivedFrame> nextFrame(std::uint64_t after, std::uint64_t stride, ServerTime earliest,

@@ -30,8 +30,9 @@ constexpr auto kBurstProbeEvery = milliseconds(5);
 constexpr auto kProbeEvery = milliseconds(100);
 constexpr int kBurstProbes = 8;
 constexpr std::int64_t kSilenceNs = 1'500'000'000;
-constexpr std::int64_t kUdpPatienceNs = 700'000'000;    ///< then TCP is tried, before silence is the end
-constexpr std::int64_t kUdpRetryNs = 1'000'000'000;     ///< how often UDP is tried again meanwhile
+constexpr std::int64_t kUdpPatienceNs = 700'000'000;  ///< then TCP is tried, before silence is the end
+constexpr std::int64_t kUdpRetryNs = 1'000'000'000;  ///< how soon UDP is tried again; twice as long each time
+constexpr std::int64_t kUdpRetryMostNs = 60'000'000'000;
 constexpr std::int64_t kGroupPatienceNs = 300'000'000;  ///< then the server is to send to us alone
 constexpr int kDatagramsAtOnce = 256;                   ///< then timers and TCP have their turn
 constexpr int kReceiveBuffer = 4 * 1024 * 1024;  ///< as much of it as the system allows: seconds of motion
@@ -57,7 +58,7 @@ class Connection final : public ServerConnection, public std::enable_shared_from
     server_ = server;
     deadline_.expires_after(kAnswerWithin);
     deadline_.async_wait([self = shared_from_this()](const error_code& error) {
-      if (!error) self->end("it does not answer");
+      if (!error && !self->welcomed_) self->end("it does not answer");
     });
     tcp_.async_connect(server, [self = shared_from_this()](const error_code& error) {
       if (error) return self->end(error.message());
@@ -164,7 +165,7 @@ class Connection final : public ServerConnection, public std::enable_shared_from
     state_.welcomed(session, channel_.keys());
     if (!openUdp(session.udp_port)) return;
     if (session.multicast) openGroup(*session.multicast);
-    heard_ = udp_heard_ = now();
+    heard_ = udp_heard_ = udp_motion_ = now();
     receive(udp_);
     probe(kBurstProbes);
     report();
@@ -172,7 +173,7 @@ class Connection final : public ServerConnection, public std::enable_shared_from
   void on(const Keyframe& keyframe) { state_.take(keyframe); }
   void on(const Tunnelled& tunnelled) {
     const ClientTime arrived = now();
-    if (welcomed_ && state_.tunnelled(tunnelled, arrived) == LinkState::Heard::News) heard_ = arrived;
+    if (welcomed_ && state_.tunnelled(tunnelled, arrived) >= LinkState::Heard::Reply) heard_ = arrived;
   }
   void on(const Goodbye& goodbye) {
     state_.refused(goodbye);
@@ -249,25 +250,37 @@ class Connection final : public ServerConnection, public std::enable_shared_from
       // The group is heard where its copy comes second, too; else whoever repeats what was said is not
       // believed.
       if (by_group && heard != LinkState::Heard::Nothing) group_heard_ = arrived;
-      if (heard != LinkState::Heard::News) continue;
+      if (heard < LinkState::Heard::Reply) continue;
       heard_ = arrived;
-      if (!by_group) udp_heard_ = arrived;
+      if (!by_group) hearUdp(heard == LinkState::Heard::Motion, arrived);
     }
   }
 
-  /// UDP as long as it is heard; the group where that is; else TCP, and now and then UDP is tried again.
+  /// Small datagrams may pass where motion does not: it is motion that UDP is judged by, once it was asked
+  /// for.
+  void hearUdp(bool motion, ClientTime arrived) {
+    udp_heard_ = arrived;
+    if (motion || way_ != MotionWay::Udp) udp_motion_ = arrived;
+    if (motion) udp_retry_ns_ = kUdpRetryNs / 2;
+  }
+
+  /// UDP as long as motion is heard by it; the group where that is, and probes are answered; else TCP, and
+  /// now and then UDP is tried again.
   MotionWay chooseWay() const {
     const ClientTime at = now();
+    if (at - udp_heard_ >= kUdpPatienceNs) return MotionWay::Tcp;
     if (group_heard_.ns != 0 && at - group_heard_ < kGroupPatienceNs) return MotionWay::Multicast;
-    return at - udp_heard_ < kUdpPatienceNs ? MotionWay::Udp : MotionWay::Tcp;
+    return at - udp_motion_ < kUdpPatienceNs ? MotionWay::Udp : MotionWay::Tcp;
   }
 
   void probe(int burst_left) {
     if (now() - heard_ > kSilenceNs) return end("it fell silent");
     const MotionWay way = chooseWay();
+    if (way == MotionWay::Tcp && way_ != way) udp_retry_ns_ = std::min(2 * udp_retry_ns_, kUdpRetryMostNs);
+    way_ = way;
     state_.setWay(way);
     if (way == MotionWay::Tcp) say(state_.tunnelledProbe());
-    if (way != MotionWay::Tcp || now() - udp_tried_ >= kUdpRetryNs) {
+    if (way != MotionWay::Tcp || now() - udp_tried_ >= udp_retry_ns_) {
       udp_tried_ = now();
       state_.encodeProbe(way, probe_bytes_);
       error_code ignored;
@@ -307,7 +320,10 @@ class Connection final : public ServerConnection, public std::enable_shared_from
   std::vector<std::byte> probe_bytes_;
   std::optional<ModeRequest> wish_;
   ClientTime heard_;
-  ClientTime udp_heard_;
+  MotionWay way_ = MotionWay::Udp;
+  ClientTime udp_heard_;   ///< by UDP to us alone: motion or replies
+  ClientTime udp_motion_;  ///< motion
+  std::int64_t udp_retry_ns_ = kUdpRetryNs / 2;
   ClientTime udp_tried_;
   ClientTime group_heard_;
   bool welcomed_ = false;

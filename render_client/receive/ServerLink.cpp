@@ -110,6 +110,9 @@ SessionConfig ServerLink::waitForSession(std::int64_t timeout_ns) {
 std::optional<SessionConfig> ServerLink::session() const {
   return impl_->state().session();
 }
+std::uint64_t ServerLink::sessionId() const {
+  return impl_->state().sessionId();
+}
 std::optional<ReceivedPacket> ServerLink::newest() const {
   return impl_->state().newest();
 }

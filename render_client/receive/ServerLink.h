@@ -63,6 +63,8 @@ class ServerLink {
   /// The session in force; a number that changes tells that the server was replaced by another session.
   std::optional<SessionConfig> session() const;
 
+  std::uint64_t sessionId() const;  ///< of that; 0: none yet
+
   /// Newest packet of the session in force, if one came; does not consume it.
   std::optional<ReceivedPacket> newest() const;
   /// Blocks until a packet of this tick or a later one is there, or the time is over.

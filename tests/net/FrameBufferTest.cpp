@@ -13,7 +13,8 @@ constexpr std::int64_t kFrameNs = 10'000'000;
 
 /// Seen at its number's moment.
 ReceivedFrame frame(std::uint64_t number) {
-  return {testing::frameOf(number, number, static_cast<std::int64_t>(number % 1'000'000'000) * kFrameNs, {}),
+  return {1,
+          testing::frameOf(number, number, static_cast<std::int64_t>(number % 1'000'000'000) * kFrameNs, {}),
           {static_cast<std::int64_t>(number % 1000)},
           {0}};
 }

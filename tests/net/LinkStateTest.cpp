@@ -60,7 +60,7 @@ class LinkStateTest : public ::testing::Test {
     link_.welcomed(server.session(), server.keys);
     link_.take(server.keyframe);
   }
-  bool deliver(Bytes bytes) { return link_.datagram(bytes, {clock_.nowNs()}) == LinkState::Heard::News; }
+  bool deliver(Bytes bytes) { return link_.datagram(bytes, {clock_.nowNs()}) >= LinkState::Heard::Reply; }
   bool receive(std::uint64_t sequence) { return deliver(server_.seal(packet(sequence))); }
   ClockProbe ask(MotionWay way = MotionWay::Udp) {
     Bytes bytes;
@@ -199,11 +199,11 @@ TEST_F(LinkStateTest, OverTcpProbesAndMotionAreTheSameWithoutSeals) {
   const auto probe = std::get<ClockProbe>(DatagramCodec().decode(link_.tunnelledProbe().body, {}));
   EXPECT_EQ(probe, (ClockProbe{clock_.nowNs(), 1, MotionWay::Tcp}));
   EXPECT_EQ(link_.tunnelled({bodyOf(ClockReply{probe.t0_client_ns, 5, 5})}, {clock_.nowNs()}),
-            LinkState::Heard::News);
+            LinkState::Heard::Reply);
   EXPECT_TRUE(link_.stats().clock_known);
   Tunnelled motion;
   server_.codec.encode(packet(10), server_.keyframe.world, motion.body);
-  EXPECT_EQ(link_.tunnelled(motion, {clock_.nowNs()}), LinkState::Heard::News);
+  EXPECT_EQ(link_.tunnelled(motion, {clock_.nowNs()}), LinkState::Heard::Motion);
   EXPECT_EQ(link_.newest()->packet, packet(10));
   EXPECT_EQ(link_.tunnelled({Bytes(20, std::byte{0x55})}, {clock_.nowNs()}), LinkState::Heard::Nothing);
   link_.setWay(MotionWay::Tcp);

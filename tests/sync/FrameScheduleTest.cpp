@@ -214,5 +214,14 @@ TEST_F(FrameScheduleTest, FramesAreMultiplesOfTheStrideAndGoOnRisingWhenItEnds) 
   EXPECT_EQ(schedule_.take(10 * 16 * kMs)->number, 10U);
 }
 
+TEST_F(FrameScheduleTest, WhoHasGoneHoldsNobodyBack) {
+  FrameSchedule schedule(FrameScheduleConfig{});
+  for (int i = 0; i < 500; ++i) schedule.heard({2'000'000, 60'000'000, i * std::int64_t{16'000'000}});
+  EXPECT_GT(schedule.stride(), 1U);
+  const std::int64_t later = 500 * std::int64_t{16'000'000} + FrameSchedule::kMemoryNs;
+  for (int i = 0; i < 32; ++i) schedule.heard({2'000'000, 3'000'000, later + i * std::int64_t{16'000'000}});
+  EXPECT_EQ(schedule.stride(), 1U);
+}
+
 }  // namespace
 }  // namespace coherency
