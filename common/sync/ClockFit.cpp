@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <ranges>
 #include <span>
 
 namespace coherency {
@@ -61,14 +60,16 @@ ClockFit::Line ClockFit::at(ClientTime now) const {
   const auto points = std::span(points_).first(std::min(pieces_, kPieces));
   std::int64_t shortest_ns = newest.round_trip_ns;
   std::int64_t baseline_ns = 0;
-  for (const Point& p : points | std::views::filter(recent)) {
+  for (const Point& p : points) {
+    if (!recent(p)) continue;
     shortest_ns = std::min(shortest_ns, p.round_trip_ns);
     baseline_ns = std::max(baseline_ns, newest.at - p.at);
   }
   // Below, a skew would be noise; old points count less instead, as the clocks may have drifted since.
   const bool skewed = baseline_ns >= kLeastBaselineNs;
   Sums sums;
-  for (const Point& p : points | std::views::filter(recent)) {
+  for (const Point& p : points) {
+    if (!recent(p)) continue;
     const double age = us(now - p.at) * 1e-6;
     const double at_best = std::max(kLeastErrorUs, kErrorOfShortest * us(shortest_ns));
     const double delayed = us(p.round_trip_ns - shortest_ns) / 2;

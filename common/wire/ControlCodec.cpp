@@ -36,7 +36,7 @@ DecodedControl read(const wire::Hello& in) {
   if (hello.major != kWireMajor) return hello;
   hello.keyed = in.keyed();
   if (!readKey(in.public_key(), hello.public_key)) return Reject::Malformed;
-  return ifValid(std::move(hello));
+  return ifValid(hello);
 }
 
 DecodedControl read(const wire::Join& in) {
