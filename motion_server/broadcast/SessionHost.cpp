@@ -356,7 +356,7 @@ std::uint32_t SessionHost::keyframeOfAll() const {
 }
 
 std::vector<std::string> SessionHost::takeRefusals() {
-  const std::vector<std::string> taken(refusals_.begin(), refusals_.end());
+  std::vector<std::string> taken(refusals_.begin(), refusals_.end());
   refusals_.clear();
   return taken;
 }
