@@ -102,13 +102,6 @@ SessionConfig sessionConfig(const ServerConfig& config, const Scene& scene, cons
   return result;
 }
 
-PredictionReport predictionReport(const PredictionScore& score) {
-  PredictionReport report;
-  for (std::size_t i = 0; i < kDofCount; ++i)
-    for (std::size_t h = 0; h < kHorizons; ++h) report[i][h] = score.report(dofAt(i), h);
-  return report;
-}
-
 std::string hostName() {
   std::array<char, 256> name{};
   if (::gethostname(name.data(), name.size() - 1) != 0) return "";
@@ -185,9 +178,10 @@ bool MotionServer::sample(const SamplingTick& tick) {
     const double drawn_hz =
         1e9 / static_cast<double>(schedule_.frameNs()) / static_cast<double>(schedule_.stride());
     frames_ = {drawn_hz, static_cast<double>(schedule_.marginNs()) / kMillisecond, schedule_.stride()};
-    const auto each_second = static_cast<std::uint64_t>(std::ceil(options_.config.frames_hz));
-    if (frame->number / schedule_.stride() % each_second == 0)
-      prediction_ = predictionReport(foresight_.score());
+    // One DOF a frame: to read all scores at once takes longer than a period at 10 kHz.
+    for (std::size_t h = 0; h < kHorizons; ++h)
+      prediction_[next_scored_][h] = foresight_.score().report(dofAt(next_scored_), h);
+    next_scored_ = (next_scored_ + 1) % kDofCount;
   }
   return true;
 }

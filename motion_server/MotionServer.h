@@ -56,6 +56,7 @@ class MotionServer {
   std::array<std::uint64_t, kDofCount> refused_{};
   ScheduleStatus frames_;
   PredictionReport prediction_;
+  std::size_t next_scored_ = 0;               ///< the DOF whose scores are read next
   std::unique_ptr<SamplingThread> sampling_;  ///< last, so that it ends before what it uses
 };
 

@@ -10,18 +10,6 @@ nlohmann::ordered_json json(const Spread& s) {
   return {{"p50", s.p50}, {"p99", s.p99}, {"max", s.max}};
 }
 
-const char* wayName(MotionWay way) {
-  switch (way) {
-    case MotionWay::Udp:
-      return "udp";
-    case MotionWay::Multicast:
-      return "multicast";
-    case MotionWay::Tcp:
-      return "tcp";
-  }
-  return "";
-}
-
 std::string clockText(const LinkStats& link) {
   if (!link.clock_known) return "clock unknown";
   return fmt::format("clock {:+.0f} +-{:.0f} us", static_cast<double>(link.clock_offset_ns) / 1e3,
@@ -71,7 +59,7 @@ std::string statsJson(const ClientStats& stats) {
                                   {"forged", link.forged},
                                   {"replayed", link.replayed},
                                   {"without_keyframe", link.without_keyframe}}},
-                                {"way", wayName(link.way)},
+                                {"way", kMotionWayNames[static_cast<std::size_t>(link.way)]},
                                 {"replica",
                                  {{"hash_mismatches", stats.hash_mismatches},
                                   {"keyframes", link.keyframes},

@@ -86,6 +86,7 @@ enum class MotionWay : std::uint8_t {
   Multicast,  ///< it hears the group
   Tcp,        ///< within control messages, where UDP is blocked
 };
+inline constexpr std::array<const char*, 3> kMotionWayNames{"udp", "multicast", "tcp"};  ///< by their number
 
 /// Client to server: opens the way for motion, keeps it open, measures the clocks' offset, and says what
 /// the client has.

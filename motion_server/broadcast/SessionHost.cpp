@@ -32,18 +32,6 @@ std::uint64_t nonZeroNumber(const SessionHost::Random& random) {
   return number;
 }
 
-const char* name(MotionWay way) {
-  switch (way) {
-    case MotionWay::Udp:
-      return "udp";
-    case MotionWay::Multicast:
-      return "multicast";
-    case MotionWay::Tcp:
-      return "tcp";
-  }
-  return "";
-}
-
 }  // namespace
 
 struct SessionHost::Client {
@@ -309,7 +297,7 @@ void SessionHost::heard(Client& client, const ClockProbe& probe, MotionWay way, 
   client.probed = true;
   client.way = way;
   client.udp = from;
-  client.status.way = name(way);
+  client.status.way = kMotionWayNames[static_cast<std::size_t>(way)];
   ++targets_version_;
 }
 

@@ -154,7 +154,6 @@ class Connection final : public ServerConnection, public std::enable_shared_from
     if (hello.keyed != keyed)
       return refuseKey(keyed ? "it has no key: leave --key out, or start it with the key" : "it wants a key");
     if (!channel_.agree(hello)) return refuse(Reject::Malformed);
-    writing_.clear();  // the hello has arrived, or there would be no answer
     say(Join{config_.eye, "coherency render_client"});
   }
   void on(const SessionConfig& session) {
